@@ -1,0 +1,61 @@
+/* output.h - output that arrives whole or not at all.
+ *
+ * A named file is written under a temporary name in its own folder and renamed
+ * when it is complete, so that a failure leaves an older file as it was and
+ * nothing beside it.  Standard output is checked to its last byte.  Only this
+ * module opens, closes and renames what isoloft writes. */
+#ifndef IL_BASE_OUTPUT_H
+#define IL_BASE_OUTPUT_H
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct il_output il_output;
+
+/* PATH, or standard output for "-".  The folder must exist.  An existing file
+ * keeps its permissions; a new one gets 0666 less the umask.  A path that is
+ * no regular file (/dev/full, a FIFO) is written in place. */
+il_status il_output_open(il_output **out, const char *path, il_error *err);
+
+/* Output into memory that grows; for tests and embedding. */
+il_status il_output_to_memory(il_output **out, il_error *err);
+const unsigned char *il_output_memory(const il_output *o, size_t *n);
+
+/* A spool: an unlinked temporary file in TMPDIR (or /tmp) that is written, and
+ * then appended to another output.  Small spools stay in memory. */
+il_status il_output_spool(il_output **out, il_error *err);
+/* Append all that SPOOL holds to O, in blocks; SPOOL stays open. */
+il_status il_output_append_spool(il_output *o, il_output *spool, il_error *err);
+
+bool il_output_is_terminal(const il_output *o);
+uint64_t il_output_bytes(const il_output *o);
+
+/* Write; buffered.  The first failure is kept: later writes do nothing, and
+ * commit reports it.  So a writer may check once, at the end. */
+void il_output_write(il_output *o, const void *data, size_t n);
+void il_output_string(il_output *o, const char *s);
+void il_output_char(il_output *o, char c);
+void il_output_number(il_output *o, double value);          /* il_number_format */
+void il_output_integer(il_output *o, long long value);
+void il_output_u32le(il_output *o, uint32_t v);
+void il_output_f32le(il_output *o, float v);
+void il_output_f64le(il_output *o, double v);
+
+/* Push what is buffered to the file; for streams that a reader waits for. */
+il_status il_output_flush(il_output *o, il_error *err);
+
+/* The first error so far as a status, without ending anything. */
+il_status il_output_status(const il_output *o, il_error *err);
+
+/* Flush, sync the name (rename), close.  IL_E_IO names the path and the
+ * system's reason; the temporary file is gone then.  Frees O either way. */
+il_status il_output_commit(il_output *o, il_error *err);
+
+/* Give up: the temporary file is removed, an old file is left as it was.
+ * Frees O; null is fine. */
+void il_output_discard(il_output *o);
+
+#endif

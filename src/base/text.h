@@ -1,0 +1,21 @@
+/* text.h - bytes from files made fit to be shown. */
+#ifndef IL_BASE_TEXT_H
+#define IL_BASE_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Copy N bytes of S to TO[SIZE] so that a terminal shows them and obeys none:
+ * control characters (C0, DEL, C1), bytes that are not UTF-8 and the Unicode
+ * direction overrides become \xHH.  Cuts between characters; always
+ * terminated.  Returns the bytes written without the terminator. */
+size_t il_text_printable(char *to, size_t size, const char *s, size_t n);
+
+/* Length in bytes (1 to 4) of the UTF-8 character at S[0..N), or 0 when it is
+ * malformed, overlong, a surrogate or above U+10FFFF (RFC 3629).  *CODE, if
+ * not null, gets the code point. */
+size_t il_utf8_char(const char *s, size_t n, unsigned long *code);
+
+bool il_utf8_valid(const char *s, size_t n);
+
+#endif

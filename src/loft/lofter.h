@@ -1,0 +1,36 @@
+/* lofter.h - from matched slices to a certified surface, slab by slab. */
+#ifndef IL_LOFT_LOFTER_H
+#define IL_LOFT_LOFTER_H
+
+#include "model/mesh.h"
+#include "model/report.h"
+#include "model/sink.h"
+
+typedef enum il_cap { IL_CAP_FLAT, IL_CAP_DOME } il_cap;
+
+/* threads: at least 1; the mesh is the same for any number.  cap: how the first
+ * and last slice are closed.  round_float: positions are rounded to 32-bit
+ * floats before they are certified (STL). */
+typedef struct il_loft_options {
+    int threads;
+    il_cap cap;
+    bool round_float;
+    void (*progress)(void *self, size_t slabs_done); /* may be null; called on the caller's thread */
+    void *progress_self;
+} il_loft_options;
+
+#define IL_LOFT_OPTIONS_INIT { 1, IL_CAP_FLAT, false, NULL, NULL }
+
+/* At most this many slices are held, with their pairs and slabs. */
+enum { IL_LOFT_WINDOW = 8 };
+
+/* A sink that lofts every stack into NEXT (borrowed).  Slices come clean and in
+ * rising z; a slice without a pair is matched by the identity.
+ * IL_E_SURFACE names stack, slices and place when no attempt passes the
+ * certificate: then NEXT was told to abandon the stack, and the caller may go
+ * on with the next one by calling stack_begin. */
+il_status il_lofter_new(il_sink **out, const il_loft_options *o, il_mesh_sink *next,
+                        il_report *report, il_error *err);
+void il_lofter_free(il_sink *s);
+
+#endif

@@ -1,0 +1,61 @@
+/* report.h - the account of what was skipped and repaired: counted, never lost. */
+#ifndef IL_MODEL_REPORT_H
+#define IL_MODEL_REPORT_H
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Repairs of contours, each counted once per place. */
+typedef enum il_repair {
+    IL_REPAIR_REPEATED_POINT,   /* consecutive equal vertices dropped */
+    IL_REPAIR_DUPLICATE_RING,   /* a ring that was there already, dropped */
+    IL_REPAIR_DEGENERATE_RING,  /* fewer than 3 distinct vertices or no area, dropped */
+    IL_REPAIR_CROSSING,         /* vertices inserted where rings cross */
+    IL_REPAIR_TOUCH,            /* a vertex on another ring's edge, made a vertex of both */
+    IL_REPAIR_KEYHOLE_EDGE,     /* edges that cancel: keyhole channels, shared borders */
+    IL_REPAIR_PINCH,            /* a vertex where the region touches itself; kept */
+    IL_REPAIR_REVERSED_RING,    /* turned so that the region lies on the left */
+    IL_REPAIR_REORDERED_SLICE,  /* slices put into rising z */
+    IL_REPAIR_MERGED_SLICE,     /* slices of one height made one */
+    IL_REPAIR_ROUNDED_POINT,    /* coordinates rounded to 32-bit floats (STL) */
+    IL_N_REPAIRS
+} il_repair;
+
+/* snake_case key of the JSON summary, and the words for people (singular). */
+const char *il_repair_key(il_repair r);
+const char *il_repair_words(il_repair r);
+
+/* Something of the input that was left out: WHERE (file:line or a path in the
+ * file), WHAT (element, record), WHY.  Kept up to a limit, counted beyond it. */
+typedef struct il_skip {
+    char *file;
+    long line;
+    char *what, *why;
+    size_t count;               /* equal what and why at later lines fold into one */
+} il_skip;
+
+enum { IL_REPORT_SKIPS_KEPT = 100 };
+
+typedef struct il_report {
+    size_t repair[IL_N_REPAIRS];
+    double largest_move;        /* farthest a vertex was moved by rounding, unit */
+    il_skip *skip;
+    size_t n_skips, cap_skips, n_skipped;
+    char **note;                /* sentences such as "user units taken as mm" */
+    size_t n_notes, cap_notes;
+} il_report;
+
+#define IL_REPORT_INIT { { 0 }, 0, NULL, 0, 0, 0, NULL, 0, 0 }
+void il_report_free(il_report *r);
+
+/* Any text is made printable here; running out of memory loses words but not
+ * the count.  A null report ignores everything. */
+void il_report_skip(il_report *r, const char *file, long line, const char *what, const char *why);
+void il_report_note(il_report *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void il_report_repair(il_report *r, il_repair what, size_t n);
+
+bool il_report_any(const il_report *r);   /* anything skipped or repaired? (--strict) */
+
+#endif

@@ -1,0 +1,67 @@
+/* stack.h - slices of one solid or terrain, and what is known of the whole. */
+#ifndef IL_MODEL_STACK_H
+#define IL_MODEL_STACK_H
+
+#include "model/ring.h"
+#include "base/status.h"
+
+typedef enum il_kind { IL_KIND_SOLID, IL_KIND_TERRAIN } il_kind;
+
+typedef enum il_unit { IL_UNIT_MM, IL_UNIT_CM, IL_UNIT_M, IL_UNIT_KM, IL_UNIT_IN, IL_UNIT_FT,
+                       IL_UNIT_UM, IL_UNIT_DEG, IL_N_UNITS } il_unit;
+
+const char *il_unit_name(il_unit u);                   /* "mm" ... */
+bool il_unit_parse(const char *s, size_t n, il_unit *u);
+/* Metres in one of U; 0 for degrees, which are no length. */
+double il_unit_metres(il_unit u);
+
+/* "key" "value", in input order; both UTF-8, owned. */
+typedef struct il_attribute { char *key, *value; } il_attribute;
+
+/* What stands before the slices.  name: UTF-8 without NUL, "" when none; crs:
+ * text or null.  frame: origin, x axis, y axis, z axis in world coordinates
+ * (3 numbers each): a point (x, y, z) of the stack lies at o + x a + y b + z c. */
+typedef struct il_stack_head {
+    char *name;
+    char *crs;
+    bool has_number, has_color, has_frame;
+    long number;
+    unsigned char color[3];
+    il_kind kind;
+    il_unit unit;
+    double frame[12];
+    il_attribute *attribute;
+    size_t n_attributes, cap_attributes;
+    il_extra *extra;
+    long line;
+} il_stack_head;
+
+#define IL_STACK_HEAD_INIT { 0 }
+
+void il_stack_head_free(il_stack_head *h);
+il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err);
+/* Replace the name by the N bytes at S. */
+bool il_stack_head_set_name(il_stack_head *h, const char *s, size_t n);
+/* The name, and "" when it has none. */
+const char *il_stack_head_name(const il_stack_head *h);
+
+/* One plane with its rings; z in the stack's unit. */
+typedef struct il_slice {
+    double z;
+    il_ring *ring;
+    size_t n, cap;
+    long line;
+    il_extra *extra;
+} il_slice;
+
+#define IL_SLICE_INIT { 0, NULL, 0, 0, 0, NULL }
+
+void il_slice_free(il_slice *s); /* with its rings; leaves IL_SLICE_INIT */
+/* Append an empty ring; null when there is no memory. */
+il_ring *il_slice_add_ring(il_slice *s);
+/* Area of the region, unit^2: sum of the rings' signed areas (normalised slice). */
+double il_slice_area(const il_slice *s);
+size_t il_slice_points(const il_slice *s);
+il_status il_slice_copy(il_slice *to, const il_slice *from, il_error *err);
+
+#endif

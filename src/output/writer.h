@@ -1,0 +1,36 @@
+/* writer.h - what isoloft writes: one table entry a format. */
+#ifndef IL_OUTPUT_WRITER_H
+#define IL_OUTPUT_WRITER_H
+
+#include "base/output.h"
+#include "model/mesh.h"
+#include "model/sink.h"
+
+/* What the mesh writers are told.  comment: lines for headers that have room
+ * (null-terminated list, each printable, or null). */
+typedef struct il_write_options {
+    const char *const *comment;
+} il_write_options;
+
+/* name: as after -t.  extension: the one that chooses it, or "" when another
+ * entry has it.  Either mesh_new or contours_new is set: what it takes.
+ * mesh_new: a mesh sink that spools and writes to OUT (borrowed) at `finish`;
+ * nothing reaches OUT before.  The caller commits OUT.  round_float: it holds
+ * 32-bit floats only. */
+typedef struct il_writer {
+    const char *name, *extension, *words;
+    bool binary, round_float;
+    il_status (*mesh_new)(il_mesh_sink **out, il_output *to, const il_write_options *o, il_error *err);
+    void (*mesh_free)(il_mesh_sink *s);
+    il_status (*contours_new)(il_sink **out, il_output *to, il_error *err);
+    void (*contours_free)(il_sink *s);
+} il_writer;
+
+extern const il_writer *const il_writers[];                 /* null-terminated */
+const il_writer *il_writer_named(const char *name);         /* null when unknown */
+const il_writer *il_writer_for_path(const char *path);      /* by extension, null when unknown */
+
+extern const il_writer il_writer_stl, il_writer_stl_ascii, il_writer_obj, il_writer_ply,
+                       il_writer_ply_ascii, il_writer_loft;
+
+#endif

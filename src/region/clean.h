@@ -1,0 +1,33 @@
+/* clean.h - slices made clean, as a stage: what every later stage relies on. */
+#ifndef IL_REGION_CLEAN_H
+#define IL_REGION_CLEAN_H
+
+#include "model/report.h"
+#include "model/sink.h"
+
+/* round_float: coordinates are rounded to 32-bit floats first (STL holds no
+ * more).  close_lines is for formats with open lines; an open line that is left
+ * when it is false is IL_E_INPUT. */
+typedef struct il_clean_options {
+    bool round_float;
+} il_clean_options;
+
+/* Clean S in place (loft.md 1; README of src/region): drop repeated points,
+ * duplicate and degenerate rings; insert vertices where edges cross or touch;
+ * take the region by even-odd parity; extract its boundary anew, region on the
+ * left, every ring simple, in canonical order (each ring starts at its least
+ * vertex by x, then y; rings sorted likewise).  Original vertices keep their
+ * bits.  A clean slice is left as it is, bit for bit: the function is
+ * idempotent.  Counts into REPORT (may be null).
+ * IL_E_INPUT when crossings do not settle; IL_E_NOMEM.  S is empty after failure. */
+il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *report, il_error *err);
+
+/* A sink that cleans each slice and passes all on to NEXT (borrowed).  Slices
+ * must come in rising z: equal heights are merged into one slice, and a falling
+ * one is IL_E_INPUT.  A pair after a slice that needed repair is IL_E_INPUT:
+ * its indices would mean other vertices. */
+il_status il_cleaner_new(il_sink **out, const il_clean_options *o, il_sink *next,
+                         il_report *report, il_error *err);
+void il_cleaner_free(il_sink *s);
+
+#endif

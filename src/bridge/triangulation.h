@@ -28,7 +28,7 @@ il_status il_triangulation_insert(il_triangulation *t, const double *xy, size_t 
  * UINT32_MAX beyond the hull.  The order follows from the corners alone: each
  * triangle starts at its least corner, triangles are sorted.  Both arrays are
  * the caller's, to il_free. */
-il_status il_triangulation_export(const il_triangulation *t, uint32_t **corner, uint32_t **across,
+il_status il_triangulation_export(il_triangulation *t, uint32_t **corner, uint32_t **across,
                                   size_t *n, il_error *err);
 
 void il_triangulation_free(il_triangulation *t); /* null is fine */

@@ -6,21 +6,23 @@
 #include "model/sink.h"
 
 /* round_float: coordinates are rounded to 32-bit floats first (STL holds no
- * more).  close_lines is for formats with open lines; an open line that is left
- * when it is false is IL_E_INPUT. */
+ * more); that is counted as a repair, with the largest move. */
 typedef struct il_clean_options {
     bool round_float;
 } il_clean_options;
 
-/* Clean S in place (loft.md 1; README of src/region): drop repeated points,
+/* Clean S in place: drop repeated points,
  * duplicate and degenerate rings; insert vertices where edges cross or touch;
  * take the region by even-odd parity; extract its boundary anew, region on the
  * left, every ring simple, in canonical order (each ring starts at its least
  * vertex by x, then y; rings sorted likewise).  Original vertices keep their
  * bits.  A clean slice is left as it is, bit for bit: the function is
- * idempotent.  Counts into REPORT (may be null).
- * IL_E_INPUT when crossings do not settle; IL_E_NOMEM.  S is empty after failure. */
-il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *report, il_error *err);
+ * idempotent.  Counts into REPORT (may be null); *CHANGED (may be null) tells
+ * whether anything is not as it was, be it only the order.
+ * IL_E_INPUT when crossings do not settle or a line is open; IL_E_NOMEM.  After
+ * a failure S holds the input or nothing. */
+il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *report,
+                         bool *changed, il_error *err);
 
 /* A sink that cleans each slice and passes all on to NEXT (borrowed).  Slices
  * must come in rising z: equal heights are merged into one slice, and a falling

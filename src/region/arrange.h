@@ -1,0 +1,41 @@
+/* arrange.h - edges in the plane made to meet in common end points only. */
+#ifndef IL_REGION_ARRANGE_H
+#define IL_REGION_ARRANGE_H
+
+#include "base/keymap.h"
+#include "base/status.h"
+
+/* Nodes are positions: xy[2*n_nodes], all distinct; mark[n_nodes] are vertex
+ * marks (model/ring.h).  An edge runs from node edge[2*i] to edge[2*i + 1] and
+ * belongs to input ring owner[i]; edge_mark[i] is IL_VERTEX_MAP_EDGE or 0.
+ * Sub-edges of one ring follow one another along it. */
+typedef struct il_arrangement {
+    double *xy;            size_t n_nodes, cap_nodes;
+    unsigned char *mark;   size_t cap_marks;
+    uint32_t *edge;        size_t n_edges, cap_edges;
+    uint32_t *owner;       size_t cap_owners;
+    unsigned char *edge_mark; size_t cap_edge_marks;
+    il_keymap at;          /* position -> node */
+} il_arrangement;
+
+#define IL_ARRANGEMENT_INIT { 0 }
+void il_arrangement_free(il_arrangement *a);
+
+/* The node at (X, Y), made when there is none; UINT32_MAX without memory.  A
+ * node counts as inserted only while every point that it stands for is. */
+uint32_t il_arrangement_node(il_arrangement *a, double x, double y, unsigned char mark);
+
+/* Append an edge; false without memory. */
+bool il_arrangement_edge(il_arrangement *a, uint32_t from, uint32_t to, uint32_t owner, unsigned char mark);
+
+/* Split edges until any two meet in end points or not at all (equal edges
+ * apart): where edges cross, a node is inserted at the rounded crossing; where
+ * a node lies on an edge, the edge runs through it.  Nodes never move.  A
+ * rounded crossing is not exactly on its edges, so this is repeated until
+ * nothing changes (two or three rounds; IL_E_INPUT after IL_ARRANGE_ROUNDS).
+ * *CROSSINGS and *TOUCHES count what was found. */
+il_status il_arrangement_settle(il_arrangement *a, size_t *crossings, size_t *touches, il_error *err);
+
+enum { IL_ARRANGE_ROUNDS = 40 };
+
+#endif

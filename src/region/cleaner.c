@@ -1,0 +1,122 @@
+/* cleaner.c - the stage of clean.h: slices pass through il_slice_clean. */
+#include "config.h"
+#include "region/clean.h"
+#include "base/alloc.h"
+
+#include <math.h>
+
+typedef struct cleaner {
+    il_sink sink;
+    il_clean_options options;
+    il_sink *next;
+    il_report *report;
+    il_slice held;      /* the last slice, not passed on yet: one of the same height may follow */
+    bool holding;
+    bool changed;       /* was the slice passed on last changed? */
+    bool before_changed;/* and the one before it? */
+} cleaner;
+
+static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
+{
+    cleaner *c = (cleaner *)self;
+    il_slice_free(&c->held);
+    c->holding = c->changed = c->before_changed = false;
+    return c->next->stack_begin(c->next, head, err);
+}
+
+static il_status pass_on(cleaner *c, il_error *err)
+{
+    if (!c->holding)
+        return IL_OK;
+    c->holding = false;
+    c->before_changed = c->changed;
+    il_status st = il_slice_clean(&c->held, &c->options, c->report, &c->changed, err);
+    if (st == IL_OK)
+        st = c->next->slice(c->next, &c->held, err);
+    il_slice_free(&c->held);
+    return st;
+}
+
+/* Move the rings of FROM behind those of TO. */
+static il_status merge(il_slice *to, il_slice *from, il_error *err)
+{
+    for (size_t i = 0; i < from->n; i++) {
+        il_ring *r = il_slice_add_ring(to);
+        if (!r)
+            return il_fail_nomem(err);
+        *r = from->ring[i];
+        from->ring[i] = (il_ring)IL_RING_INIT;
+    }
+    il_extra **end = &to->extra;
+    while (*end)
+        end = &(*end)->next;
+    *end = from->extra;
+    from->extra = NULL;
+    return IL_OK;
+}
+
+static il_status slice(il_sink *self, il_slice *s, il_error *err)
+{
+    cleaner *c = (cleaner *)self;
+    if (c->options.round_float)
+        s->z = (double)(float)s->z;
+    if (c->holding && s->z == c->held.z) {
+        il_report_repair(c->report, IL_REPAIR_MERGED_SLICE, 1);
+        return merge(&c->held, s, err);
+    }
+    if (c->holding && s->z < c->held.z)
+        return il_fail(err, IL_E_INPUT, s->line, "slices must come in rising z: %.17g after %.17g", s->z, c->held.z);
+    il_status st = pass_on(c, err);
+    if (st == IL_OK) {
+        c->held = *s;
+        *s = (il_slice)IL_SLICE_INIT;
+        c->holding = true;
+    }
+    return st;
+}
+
+static il_status pair(il_sink *self, il_pair *p, il_error *err)
+{
+    cleaner *c = (cleaner *)self;
+    il_status st = pass_on(c, err);
+    if (st == IL_OK && (c->changed || c->before_changed))
+        st = il_fail(err, IL_E_INPUT, p->line,
+                     "this pair speaks of slices that are not clean: run isoloft read on the contours, then match");
+    return st == IL_OK ? c->next->pair(c->next, p, err) : st;
+}
+
+static il_status stack_end(il_sink *self, il_error *err)
+{
+    cleaner *c = (cleaner *)self;
+    il_status st = pass_on(c, err);
+    return st == IL_OK ? c->next->stack_end(c->next, err) : st;
+}
+
+static il_status end(il_sink *self, il_error *err)
+{
+    cleaner *c = (cleaner *)self;
+    return c->next->end(c->next, err);
+}
+
+il_status il_cleaner_new(il_sink **out, const il_clean_options *o, il_sink *next,
+                         il_report *report, il_error *err)
+{
+    cleaner *c = il_calloc(1, sizeof *c);
+    *out = NULL;
+    if (!c)
+        return il_fail_nomem(err);
+    c->sink = (il_sink){ stack_begin, slice, pair, stack_end, end };
+    c->options = *o;
+    c->next = next;
+    c->report = report;
+    *out = &c->sink;
+    return IL_OK;
+}
+
+void il_cleaner_free(il_sink *s)
+{
+    cleaner *c = (cleaner *)s;
+    if (c)
+        il_slice_free(&c->held);
+    il_free(c);
+}

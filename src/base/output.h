@@ -15,9 +15,12 @@
 
 typedef struct il_output il_output;
 
-/* PATH, or standard output for "-".  The folder must exist.  An existing file
- * keeps its permissions; a new one gets 0666 less the umask.  A path that is
- * no regular file (/dev/full, a FIFO) is written in place. */
+/* PATH, or standard output for "-".  The folder must exist and be writable: the
+ * temporary is made in it when the first block is full.  An existing file keeps
+ * its permissions (and its owner, where the system allows that), one that is
+ * write-protected is refused; a new one gets 0666 less the umask.  A symbolic
+ * link stays, and what it points to is replaced.  A path that is no regular file
+ * (/dev/full, a FIFO), or is where standard output goes, is written in place. */
 il_status il_output_open(il_output **out, const char *path, il_error *err);
 
 /* Output into memory that grows; for tests and embedding. */
@@ -25,10 +28,16 @@ il_status il_output_to_memory(il_output **out, il_error *err);
 const unsigned char *il_output_memory(const il_output *o, size_t *n);
 
 /* A spool: an unlinked temporary file in TMPDIR (or /tmp) that is written, and
- * then appended to another output.  Small spools stay in memory. */
+ * then appended to another output.  Up to IL_SPOOL_MEMORY bytes stay in memory,
+ * and no file is made.  Ends with il_output_discard. */
+enum { IL_SPOOL_MEMORY = 256 * 1024 };
 il_status il_output_spool(il_output **out, il_error *err);
 /* Append all that SPOOL holds to O, in blocks; SPOOL stays open. */
 il_status il_output_append_spool(il_output *o, il_output *spool, il_error *err);
+/* The N bytes of SPOOL from AT on to TO; writing goes on at the end after it. */
+il_status il_output_read_back(il_output *spool, uint64_t at, void *to, size_t n, il_error *err);
+/* Forget all of SPOOL but its first BYTES. */
+il_status il_output_rewind(il_output *spool, uint64_t bytes, il_error *err);
 
 bool il_output_is_terminal(const il_output *o);
 uint64_t il_output_bytes(const il_output *o);

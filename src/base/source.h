@@ -1,7 +1,10 @@
 /* source.h - where input bytes come from: a file, standard input, memory.
  *
  * Readers see only this: they know no files and no compression.  gzip streams
- * (RFC 1952, also several members in a row) are undone on the way. */
+ * (RFC 1952, also several members in a row) are undone on the way.  Zero bytes
+ * behind the last member are padding, as tapes and block devices leave it; any
+ * other byte there is IL_E_INPUT, because it is as likely the rest of a member
+ * whose head is damaged as something that may be dropped. */
 #ifndef IL_BASE_SOURCE_H
 #define IL_BASE_SOURCE_H
 
@@ -24,7 +27,8 @@ il_status il_source_from_memory(il_source **out, const void *data, size_t n,
 const char *il_source_name(const il_source *s);
 
 /* Up to N bytes to BUF; *GOT is 0 only at the end.  May give fewer than asked
- * for although more will come.  A damaged gzip stream: IL_E_INPUT. */
+ * for although more will come.  A damaged gzip stream: IL_E_INPUT, once all that
+ * could be decoded before the damage was given.  A failure stays. */
 il_status il_source_read(il_source *s, void *buf, size_t n, size_t *got, il_error *err);
 
 /* The next bytes without taking them, at least N unless the input ends before
@@ -34,8 +38,8 @@ il_status il_source_peek(il_source *s, size_t n, const unsigned char **data, siz
 
 void il_source_close(il_source *s); /* null is fine */
 
-/* Lines of a source, each without its end (LF or CR LF), which need not be
- * terminated at the end of the input.  The buffer belongs to the line reader
+/* Lines of a source, each without its end (LF or CR LF); the last need not have
+ * one (a CR without its LF is then part of it).  The buffer belongs to the line reader
  * and holds until the next call; lines above MAX_LINE bytes: IL_E_INPUT. */
 typedef struct il_lines {
     il_source *source;   /* borrowed */

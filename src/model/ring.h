@@ -40,8 +40,8 @@ double il_ring_area2(const il_ring *r);
 /* Length of R, unit; with the closing edge unless it is open. */
 double il_ring_length(const il_ring *r);
 
-/* Turn R round: the direction changes, vertex 0 stays first.  Map-edge marks
- * move with their edges. */
+/* Turn R round: the direction changes, vertex 0 stays first (of an open line the
+ * last becomes first).  Map-edge marks move with their edges. */
 void il_ring_reverse(il_ring *r);
 
 /* Make vertex K the first; K < n. */

@@ -39,6 +39,7 @@ typedef struct il_stack_head {
 #define IL_STACK_HEAD_INIT { 0 }
 
 void il_stack_head_free(il_stack_head *h);
+/* TO is overwritten, whatever it held; empty after failure. */
 il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err);
 /* Replace the name by the N bytes at S. */
 bool il_stack_head_set_name(il_stack_head *h, const char *s, size_t n);
@@ -62,6 +63,7 @@ il_ring *il_slice_add_ring(il_slice *s);
 /* Area of the region, unit^2: sum of the rings' signed areas (normalised slice). */
 double il_slice_area(const il_slice *s);
 size_t il_slice_points(const il_slice *s);
+/* TO is overwritten, whatever it held; empty after failure. */
 il_status il_slice_copy(il_slice *to, const il_slice *from, il_error *err);
 
 #endif

@@ -1,0 +1,114 @@
+#include "config.h"
+#include "model/report.h"
+#include "base/alloc.h"
+#include "base/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct { const char *key, *words; } repairs[IL_N_REPAIRS] = {
+    [IL_REPAIR_REPEATED_POINT]  = { "repeated_points",  "repeated point dropped" },
+    [IL_REPAIR_DUPLICATE_RING]  = { "duplicate_rings",  "duplicate ring dropped" },
+    [IL_REPAIR_DEGENERATE_RING] = { "degenerate_rings", "ring without area dropped" },
+    [IL_REPAIR_CROSSING]        = { "crossings",        "crossing made a vertex" },
+    [IL_REPAIR_TOUCH]           = { "touches",          "vertex on an edge made a vertex of both" },
+    [IL_REPAIR_KEYHOLE_EDGE]    = { "keyhole_edges",    "edge that cancels dropped" },
+    [IL_REPAIR_PINCH]           = { "pinches",          "place where the region touches itself" },
+    [IL_REPAIR_REVERSED_RING]   = { "reversed_rings",   "ring turned round" },
+    [IL_REPAIR_REORDERED_SLICE] = { "reordered_slices", "slice put into its place" },
+    [IL_REPAIR_MERGED_SLICE]    = { "merged_slices",    "slice merged with one of its height" },
+    [IL_REPAIR_ROUNDED_POINT]   = { "rounded_points",   "point rounded to 32-bit floats" },
+};
+
+const char *il_repair_key(il_repair r)
+{
+    return repairs[r].key;
+}
+
+const char *il_repair_words(il_repair r)
+{
+    return repairs[r].words;
+}
+
+void il_report_free(il_report *r)
+{
+    for (size_t i = 0; i < r->n_skips; i++) {
+        il_free(r->skip[i].file);
+        il_free(r->skip[i].what);
+        il_free(r->skip[i].why);
+    }
+    for (size_t i = 0; i < r->n_notes; i++)
+        il_free(r->note[i]);
+    il_free(r->skip);
+    il_free(r->note);
+    *r = (il_report)IL_REPORT_INIT;
+}
+
+enum { TEXT_MOST = 400 }; /* bytes of one text, printable */
+
+static char *printable_copy(const char *s)
+{
+    char text[TEXT_MOST];
+    size_t n = il_text_printable(text, sizeof text, s, strlen(s));
+    return il_strndup(text, n);
+}
+
+/* Count one more of a skip that is listed already. */
+static bool fold_skip(il_report *r, const il_skip *s)
+{
+    for (size_t i = 0; i < r->n_skips; i++) {
+        il_skip *old = &r->skip[i];
+        if (strcmp(old->what, s->what) == 0 && strcmp(old->why, s->why) == 0 && strcmp(old->file, s->file) == 0) {
+            old->count++;
+            return true;
+        }
+    }
+    return false;
+}
+
+void il_report_skip(il_report *r, const char *file, long line, const char *what, const char *why)
+{
+    if (!r)
+        return;
+    r->n_skipped++;
+    il_skip s = { printable_copy(file), line, printable_copy(what), printable_copy(why), 1 };
+    if (s.file && s.what && s.why && !fold_skip(r, &s) && r->n_skips < IL_REPORT_SKIPS_KEPT &&
+        il_grow(&r->skip, &r->cap_skips, r->n_skips + 1, sizeof *r->skip)) {
+        r->skip[r->n_skips++] = s;
+        return;
+    }
+    il_free(s.file);
+    il_free(s.what);
+    il_free(s.why);
+}
+
+void il_report_note(il_report *r, const char *format, ...)
+{
+    if (!r)
+        return;
+    char text[TEXT_MOST];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    char *copy = printable_copy(text);
+    if (copy && il_grow(&r->note, &r->cap_notes, r->n_notes + 1, sizeof *r->note))
+        r->note[r->n_notes++] = copy;
+    else
+        il_free(copy);
+}
+
+void il_report_repair(il_report *r, il_repair what, size_t n)
+{
+    if (r)
+        r->repair[what] += n;
+}
+
+bool il_report_any(const il_report *r)
+{
+    size_t n = r->n_skipped;
+    for (int i = 0; i < IL_N_REPAIRS; i++)
+        n += r->repair[i];
+    return n > 0;
+}

@@ -1,0 +1,183 @@
+#include "config.h"
+#include "model/stack.h"
+#include "base/alloc.h"
+
+#include <string.h>
+
+/* ---- units ---------------------------------------------------------------- */
+
+/* International inch and foot: 25.4 mm and 12 inches exactly. */
+static const struct { const char *name; double metres; } units[IL_N_UNITS] = {
+    [IL_UNIT_MM] = { "mm", 1e-3 },   [IL_UNIT_CM] = { "cm", 1e-2 },   [IL_UNIT_M] = { "m", 1 },
+    [IL_UNIT_KM] = { "km", 1e3 },    [IL_UNIT_IN] = { "in", 0.0254 }, [IL_UNIT_FT] = { "ft", 0.3048 },
+    [IL_UNIT_UM] = { "um", 1e-6 },   [IL_UNIT_DEG] = { "deg", 0 },
+};
+
+const char *il_unit_name(il_unit u)
+{
+    return units[u].name;
+}
+
+bool il_unit_parse(const char *s, size_t n, il_unit *u)
+{
+    for (int i = 0; i < IL_N_UNITS; i++) {
+        if (strlen(units[i].name) == n && memcmp(units[i].name, s, n) == 0) {
+            *u = (il_unit)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+double il_unit_metres(il_unit u)
+{
+    return units[u].metres;
+}
+
+/* ---- stack head ----------------------------------------------------------- */
+
+void il_stack_head_free(il_stack_head *h)
+{
+    il_free(h->name);
+    il_free(h->crs);
+    for (size_t i = 0; i < h->n_attributes; i++) {
+        il_free(h->attribute[i].key);
+        il_free(h->attribute[i].value);
+    }
+    il_free(h->attribute);
+    il_extra_free(&h->extra);
+    *h = (il_stack_head)IL_STACK_HEAD_INIT;
+}
+
+bool il_stack_head_set_name(il_stack_head *h, const char *s, size_t n)
+{
+    char *name = il_strndup(s, n);
+    if (!name)
+        return false;
+    il_free(h->name);
+    h->name = name;
+    return true;
+}
+
+const char *il_stack_head_name(const il_stack_head *h)
+{
+    return h->name ? h->name : "";
+}
+
+/* Null stays null. */
+static bool copy_text(char **to, const char *from)
+{
+    *to = from ? il_strndup(from, strlen(from)) : NULL;
+    return *to || !from;
+}
+
+static bool copy_extra(il_extra **to, const il_extra *from)
+{
+    *to = NULL;
+    for (; from; from = from->next) {
+        if (!il_extra_add(to, from->text, strlen(from->text)))
+            return false;
+        to = &(*to)->next;
+    }
+    return true;
+}
+
+static bool copy_attributes(il_stack_head *to, const il_stack_head *from)
+{
+    if (from->n_attributes == 0)
+        return true;
+    to->attribute = il_alloc(from->n_attributes, sizeof *to->attribute);
+    if (!to->attribute)
+        return false;
+    to->cap_attributes = from->n_attributes;
+    for (size_t i = 0; i < from->n_attributes; i++) {
+        il_attribute *a = &to->attribute[to->n_attributes++];
+        *a = (il_attribute){ NULL, NULL };
+        if (!copy_text(&a->key, from->attribute[i].key) || !copy_text(&a->value, from->attribute[i].value))
+            return false;
+    }
+    return true;
+}
+
+il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err)
+{
+    *to = *from;
+    to->name = to->crs = NULL;
+    to->attribute = NULL;
+    to->n_attributes = to->cap_attributes = 0;
+    to->extra = NULL;
+    if (copy_text(&to->name, from->name) && copy_text(&to->crs, from->crs) &&
+        copy_attributes(to, from) && copy_extra(&to->extra, from->extra))
+        return IL_OK;
+    il_stack_head_free(to);
+    return il_fail_nomem(err);
+}
+
+/* ---- slice ---------------------------------------------------------------- */
+
+void il_slice_free(il_slice *s)
+{
+    for (size_t i = 0; i < s->n; i++)
+        il_ring_free(&s->ring[i]);
+    il_free(s->ring);
+    il_extra_free(&s->extra);
+    *s = (il_slice)IL_SLICE_INIT;
+}
+
+il_ring *il_slice_add_ring(il_slice *s)
+{
+    if (!il_grow(&s->ring, &s->cap, s->n + 1, sizeof *s->ring))
+        return NULL;
+    s->ring[s->n] = (il_ring)IL_RING_INIT;
+    return &s->ring[s->n++];
+}
+
+double il_slice_area(const il_slice *s)
+{
+    double sum = 0;
+    for (size_t i = 0; i < s->n; i++)
+        sum += il_ring_area2(&s->ring[i]);
+    return sum / 2;
+}
+
+size_t il_slice_points(const il_slice *s)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < s->n; i++)
+        n += s->ring[i].n;
+    return n;
+}
+
+static bool copy_ring(il_ring *to, const il_ring *from)
+{
+    to->open = from->open;
+    to->line = from->line;
+    if (from->n > 0) {
+        if (!il_grow(&to->xy, &to->cap, from->n, 2 * sizeof *to->xy))
+            return false;
+        memcpy(to->xy, from->xy, from->n * 2 * sizeof *to->xy);
+    }
+    if (from->n > 0 && from->mark) {
+        if (!il_grow(&to->mark, &to->cap_mark, from->n, sizeof *to->mark))
+            return false;
+        memcpy(to->mark, from->mark, from->n * sizeof *to->mark);
+    }
+    to->n = from->n;
+    return copy_extra(&to->extra, from->extra);
+}
+
+il_status il_slice_copy(il_slice *to, const il_slice *from, il_error *err)
+{
+    *to = (il_slice)IL_SLICE_INIT;
+    to->z = from->z;
+    to->line = from->line;
+    bool ok = copy_extra(&to->extra, from->extra);
+    for (size_t i = 0; ok && i < from->n; i++) {
+        il_ring *r = il_slice_add_ring(to);
+        ok = r && copy_ring(r, &from->ring[i]);
+    }
+    if (ok)
+        return IL_OK;
+    il_slice_free(to);
+    return il_fail_nomem(err);
+}

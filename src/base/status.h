@@ -8,6 +8,10 @@
 
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum il_status {
     IL_OK         = 0,
     IL_E_UNSOUND  = 1,  /* `check` only: readable, but not sound */
@@ -51,4 +55,7 @@ void il_error_clear(il_error *err);
  * TO[SIZE]; always terminated. */
 void il_error_message(const il_error *err, char *to, size_t size);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

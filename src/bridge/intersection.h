@@ -13,12 +13,17 @@ extern "C" {
 
 /* Look for two triangles of tri[3*n_triangles] over xyz[3*n_vertices] that meet
  * in more than the vertices and edges they share; vertices are the same when
- * their positions are, whatever their index.  Also finds degenerate triangles
- * (no area).  Exact.  Boxes first (Zomorodian & Edelsbrunner 2000), O(n log^2 n)
- * plus the pairs tested.  With TOUCHED not null only pairs with at least one
- * triangle k for which touched[k] is nonzero are tested.
- * first[2]: the least pair found (a degenerate triangle stands twice);
- * *FOUND: how many pairs there are, counted up to LIMIT. */
+ * their positions are, whatever their index.  A triangle without area counts as
+ * a pair with itself, and is tested against no other.
+ *
+ * Exact for all finite coordinates below 1e100.  A tree of boxes along a Morton
+ * curve finds the candidates: O(n log n) plus the pairs whose boxes overlap.
+ * With TOUCHED not null only pairs with at least one triangle k for which
+ * touched[k] is nonzero are tested.
+ *
+ * *FOUND: how many pairs there are; counting stops at LIMIT.  first[2]: the
+ * least of them (of those counted), lower index first; UINT32_MAX when there is
+ * none.  Depends on the arguments alone.  Safe to call from several threads. */
 il_status il_intersections(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n_triangles,
                            const unsigned char *touched, size_t limit,
                            size_t *found, uint32_t first[2], il_error *err);

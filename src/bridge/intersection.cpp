@@ -1,0 +1,491 @@
+/* intersection.cpp - bridge/intersection.h: a tree of boxes gives the candidates,
+ * signs of exact determinants decide them.
+ *
+ * Nothing is constructed: every answer is a combination of the signs of
+ *     o(a, b, c, d) = det(b - a, c - a, d - a),
+ * positive when d lies on the side of the plane abc that its normal
+ * (b - a) x (c - a) points to, and of the same determinant in the plane.  Both
+ * are exact (CGAL's filtered predicates), so the answer is. */
+#include "bridge/intersection.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <exception>
+#include <new>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+
+/* A triangle that has an area, or is flat.  id: its vertices, equal when their
+ * positions are.  normal, doubt: see side(). */
+struct Facet {
+    double lo[3], hi[3];
+    double normal[3], doubt;
+    const double *v[3];
+    uint32_t id[3], index;
+    bool touched;
+};
+
+struct Box {
+    double lo[3], hi[3];
+    bool touched;
+};
+
+/* ---- signs ---------------------------------------------------------------- */
+
+Kernel::Point_3 point(const double *p)
+{
+    return Kernel::Point_3(p[0], p[1], p[2]);
+}
+
+int orient(const double *a, const double *b, const double *c, const double *d)
+{
+    return int(CGAL::orientation(point(a), point(b), point(c), point(d)));
+}
+
+/* Orientation of abc seen along the axis that is neither X nor Y. */
+int orient_plan(const double *a, const double *b, const double *c, int x, int y)
+{
+    return int(CGAL::orientation(Kernel::Point_2(a[x], a[y]), Kernel::Point_2(b[x], b[y]),
+                                 Kernel::Point_2(c[x], c[y])));
+}
+
+/* o(f, p), first by the normal computed once.  With u = 2^-53 every term of
+ * n . (p - v0) passes through at most 8 roundings (difference, difference,
+ * product, sum in n; difference, product, two sums), so the error is below
+ * 8.1 u times the sum of the terms' absolute values; doubt is 16 u times that
+ * sum with the extent of the whole mesh for p - v0, plus what underflow loses. */
+int side(const Facet &f, const double *p)
+{
+    double d = f.normal[0] * (p[0] - f.v[0][0]) + f.normal[1] * (p[1] - f.v[0][1])
+             + f.normal[2] * (p[2] - f.v[0][2]);
+    if (d > f.doubt)
+        return 1;
+    if (d < -f.doubt)
+        return -1;
+    return orient(f.v[0], f.v[1], f.v[2], p);
+}
+
+bool one_sided(int s, int t)
+{
+    return s * t > 0;
+}
+
+bool one_sided(const int s[3])
+{
+    return one_sided(s[0], s[1]) && one_sided(s[1], s[2]);
+}
+
+/* Do these signs contradict each other as "the point is to the left of each edge"? */
+bool mixed(int a, int b, int c)
+{
+    return (a > 0 || b > 0 || c > 0) && (a < 0 || b < 0 || c < 0);
+}
+
+/* Does the segment AB meet the closed triangle T?  SA, SB: the sides of T on
+ * which its ends lie, not both 0.  Then the line AB has one point x in T's
+ * plane, in the segment unless both ends are strictly on one side, and
+ * o(a, b, p, q) is the signed area of x p q in the plane times a factor whose
+ * sign is common to the three edges p q of T. */
+bool segment_meets(const double *a, const double *b, int sa, int sb, const Facet &t)
+{
+    if (one_sided(sa, sb))
+        return false;
+    int s0 = orient(a, b, t.v[0], t.v[1]), s1 = orient(a, b, t.v[1], t.v[2]);
+    return !one_sided(s0, -s1) && !mixed(s0, s1, orient(a, b, t.v[2], t.v[0]));
+}
+
+/* ---- one plane -------------------------------------------------------------- */
+
+/* Two axes on which F, which has an area, does not collapse; swapped if need be
+ * so that F runs counter-clockwise there. */
+struct Plan {
+    int x, y;
+    explicit Plan(const Facet &f)
+    {
+        for (x = 0, y = 1; x < 2; x++, y = (x + 1) % 3)
+            if (orient_plan(f.v[0], f.v[1], f.v[2], x, y) != 0)
+                break;
+        if (orient_plan(f.v[0], f.v[1], f.v[2], x, y) < 0)
+            std::swap(x, y);
+    }
+    int left(const double *a, const double *b, const double *c) const
+    {
+        return orient_plan(a, b, c, x, y);
+    }
+};
+
+/* Is all of T strictly to the right of an edge of S, which turns by SIGN? */
+bool edge_separates(const Plan &plan, const Facet &s, int sign, const Facet &t)
+{
+    for (int i = 0; i < 3; i++) {
+        const double *a = s.v[i], *b = s.v[(i + 1) % 3];
+        if (plan.left(a, b, t.v[0]) == -sign && plan.left(a, b, t.v[1]) == -sign
+            && plan.left(a, b, t.v[2]) == -sign)
+            return true;
+    }
+    return false;
+}
+
+/* Coplanar, no vertex shared.  Two convex polygons are disjoint if and only if
+ * the line of an edge of one of them has the other strictly beyond it: their
+ * Minkowski difference is a polygon with edges parallel to theirs, and the
+ * origin is either in it or strictly outside of one of its edges. */
+bool meet_in_plane(const Facet &s, const Facet &t)
+{
+    Plan plan(s);
+    return !edge_separates(plan, s, 1, t)
+        && !edge_separates(plan, t, plan.left(t.v[0], t.v[1], t.v[2]), s);
+}
+
+/* Is the direction from V to P in the closed cone spanned by VA and VB (less
+ * than half a turn, SIGN: its turn)? */
+bool in_cone(const Plan &plan, const double *v, const double *a, const double *b, int sign, const double *p)
+{
+    return plan.left(v, a, p) != -sign && plan.left(v, p, b) != -sign;
+}
+
+/* Coplanar, VAB and VCD share V alone.  At V the triangles are their cones, and
+ * two convex cones that share more than their apex share a bounding ray. */
+bool cones_meet(const Facet &s, const double *v, const double *a, const double *b, const double *c, const double *d)
+{
+    Plan plan(s);
+    int first = plan.left(v, a, b), second = plan.left(v, c, d);
+    return in_cone(plan, v, a, b, first, c) || in_cone(plan, v, a, b, first, d)
+        || in_cone(plan, v, c, d, second, a) || in_cone(plan, v, c, d, second, b);
+}
+
+/* ---- two triangles ---------------------------------------------------------- */
+
+/* They share no vertex: do they share a point?  In different planes what they
+ * share lies on the planes' common line: the overlap of two intervals, one a
+ * triangle, of which every end is an end of one of the two.  Each end is where
+ * an edge that does not lie in the other plane meets that plane (an edge that
+ * does lie in it ends in such edges).  So some such edge meets the other
+ * triangle. */
+bool meet_apart(const Facet &s, const Facet &t)
+{
+    int on_s[3], on_t[3];
+    for (int i = 0; i < 3; i++)
+        on_s[i] = side(s, t.v[i]);
+    if (one_sided(on_s))
+        return false;
+    for (int i = 0; i < 3; i++)
+        on_t[i] = side(t, s.v[i]);
+    if (one_sided(on_t))
+        return false;
+    if (!on_s[0] && !on_s[1] && !on_s[2])
+        return meet_in_plane(s, t);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        if ((on_s[i] || on_s[j]) && segment_meets(t.v[i], t.v[j], on_s[i], on_s[j], s))
+            return true;
+        if ((on_t[i] || on_t[j]) && segment_meets(s.v[i], s.v[j], on_t[i], on_t[j], t))
+            return true;
+    }
+    return false;
+}
+
+/* They share the vertex I of S = vab, J of T = vcd, and no other: do they share
+ * another point x?  The ray from v through x leaves S on ab and T on cd; the
+ * nearer of these places is in both.  So: ab meets T or cd meets S.  In
+ * different planes that is segment_meets(), where
+ *     o(a,b, v,c) =  o(v,a,b, c),  o(a,b, d,v) = -o(v,a,b, d)
+ * are known already, and o(a,b, c,d) = o(c,d, a,b) serves both ways. */
+bool meet_at_vertex(const Facet &s, int i, const Facet &t, int j)
+{
+    const double *v = s.v[i], *a = s.v[(i + 1) % 3], *b = s.v[(i + 2) % 3];
+    const double *c = t.v[(j + 1) % 3], *d = t.v[(j + 2) % 3];
+    int sc = side(s, c), sd = side(s, d);
+    if (one_sided(sc, sd))
+        return false;
+    int sa = side(t, a), sb = side(t, b);
+    if (one_sided(sa, sb))
+        return false;
+    if (sa == 0 && sb == 0)
+        return cones_meet(s, v, a, b, c, d);
+    int w = orient(a, b, c, d);
+    return !mixed(sc, w, -sd) || !mixed(sa, w, -sb);
+}
+
+/* They share an edge; A of S and B of T are opposite.  In different planes they
+ * share no more, since the planes share the edge's line alone.  In one plane
+ * they do if A and B are on one side of the edge PQ. */
+bool meet_at_edge(const Facet &s, const double *p, const double *q, const double *a, const double *b)
+{
+    if (side(s, b) != 0)
+        return false;
+    Plan plan(s);
+    return plan.left(p, q, a) == plan.left(p, q, b);
+}
+
+/* Do S and T, which both have an area, meet in more than what they share? */
+bool meet(const Facet &s, const Facet &t)
+{
+    int n = 0, i_of[3] = { 0, 0, 0 }, j_of[3] = { 0, 0, 0 };
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            if (s.id[i] == t.id[j]) {
+                i_of[n] = i;
+                j_of[n] = j;
+                n++; /* ids within a triangle differ: at most 3 */
+            }
+    if (n == 0)
+        return meet_apart(s, t);
+    if (n == 1)
+        return meet_at_vertex(s, i_of[0], t, j_of[0]);
+    return n == 3 || meet_at_edge(s, s.v[i_of[0]], s.v[i_of[1]],
+                                  s.v[3 - i_of[0] - i_of[1]], t.v[3 - j_of[0] - j_of[1]]);
+}
+
+/* ---- facets ----------------------------------------------------------------- */
+
+/* id[i]: the least vertex at the position of vertex i. */
+std::vector<uint32_t> merge_positions(const double *xyz, size_t n)
+{
+    struct Place { double x, y, z; uint32_t i; };
+    std::vector<Place> place(n);
+    for (size_t i = 0; i < n; i++)
+        place[i] = Place{ xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2], uint32_t(i) };
+    std::sort(place.begin(), place.end(), [](const Place &a, const Place &b) {
+        return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.i < b.i;
+    });
+    std::vector<uint32_t> id(n);
+    for (size_t k = 0; k < n; k++) {
+        bool same = k > 0 && place[k].x == place[k - 1].x && place[k].y == place[k - 1].y
+                 && place[k].z == place[k - 1].z;
+        id[place[k].i] = same ? id[place[k - 1].i] : place[k].i;
+    }
+    return id;
+}
+
+/* Fill normal and doubt; false when F has no area.  doubt as in side(); a
+ * component of the normal alone has seen 4 roundings. */
+bool set_plane(Facet &f, const double extent[3])
+{
+    const double u = DBL_EPSILON / 2;
+    bool area = false;
+    double largest = std::max({ extent[0], extent[1], extent[2] });
+    f.doubt = 4 * DBL_MIN * (1 + largest);
+    for (int k = 0; k < 3; k++) {
+        int x = (k + 1) % 3, y = (k + 2) % 3;
+        double left = (f.v[1][x] - f.v[0][x]) * (f.v[2][y] - f.v[0][y]);
+        double right = (f.v[1][y] - f.v[0][y]) * (f.v[2][x] - f.v[0][x]);
+        double size = std::fabs(left) + std::fabs(right);
+        f.normal[k] = left - right;
+        f.doubt += 16 * u * size * extent[k];
+        area = area || std::fabs(f.normal[k]) > 8 * u * size + DBL_MIN;
+    }
+    for (int k = 0; k < 3 && !area; k++)
+        area = orient_plan(f.v[0], f.v[1], f.v[2], (k + 1) % 3, (k + 2) % 3) != 0;
+    return area;
+}
+
+void set_box(Facet &f)
+{
+    for (int k = 0; k < 3; k++) {
+        f.lo[k] = std::min({ f.v[0][k], f.v[1][k], f.v[2][k] });
+        f.hi[k] = std::max({ f.v[0][k], f.v[1][k], f.v[2][k] });
+    }
+}
+
+/* ---- the tree --------------------------------------------------------------- */
+
+/* The lower 20 bits of X, two zeros between each and the next. */
+uint64_t spread_bits(uint64_t x)
+{
+    x = (x | x << 32) & UINT64_C(0x001F00000000FFFF);
+    x = (x | x << 16) & UINT64_C(0x001F0000FF0000FF);
+    x = (x | x << 8) & UINT64_C(0x100F00F00F00F00F);
+    x = (x | x << 4) & UINT64_C(0x10C30C30C30C30C3);
+    return (x | x << 2) & UINT64_C(0x1249249249249249);
+}
+
+struct Search {
+    std::vector<Facet> facet;   /* along a Morton curve through the boxes' centres */
+    std::vector<Box> node;      /* a complete binary tree; node k has 2k + 1 and 2k + 2 */
+    size_t n_leaves = 1;        /* leaf i holds the facets [i n / n_leaves, (i + 1) n / n_leaves) */
+    size_t limit = 0, found = 0;
+    uint32_t first[2] = { UINT32_MAX, UINT32_MAX };
+
+    void record(uint32_t a, uint32_t b)
+    {
+        if (a > b)
+            std::swap(a, b);
+        found++;
+        if (a < first[0] || (a == first[0] && b < first[1])) {
+            first[0] = a;
+            first[1] = b;
+        }
+    }
+
+    size_t leaf_begin(size_t i) const { return i * facet.size() / n_leaves; }
+
+    void sort_facets(const double low[3], const double extent[3])
+    {
+        struct Key { uint64_t code; uint32_t index, place; };
+        std::vector<Key> key(facet.size());
+        for (size_t i = 0; i < facet.size(); i++) {
+            uint64_t code = 0;
+            for (int k = 0; k < 3; k++) {
+                double middle = (facet[i].lo[k] / 2 + facet[i].hi[k] / 2 - low[k]) / extent[k];
+                code |= spread_bits(uint64_t(std::min(1.0, std::max(0.0, middle)) * 0xFFFFF)) << k;
+            }
+            key[i] = Key{ code, facet[i].index, uint32_t(i) };
+        }
+        std::sort(key.begin(), key.end(), [](const Key &a, const Key &b) {
+            return a.code != b.code ? a.code < b.code : a.index < b.index;
+        });
+        std::vector<Facet> sorted;
+        sorted.reserve(facet.size());
+        for (const Key &k : key)
+            sorted.push_back(facet[k.place]);
+        facet.swap(sorted);
+    }
+
+    void build_tree()
+    {
+        const Box empty = { { DBL_MAX, DBL_MAX, DBL_MAX }, { -DBL_MAX, -DBL_MAX, -DBL_MAX }, false };
+        while (4 * n_leaves < facet.size())
+            n_leaves *= 2;
+        node.assign(2 * n_leaves - 1, empty);
+        for (size_t i = 0; i < n_leaves; i++)
+            for (size_t j = leaf_begin(i); j < leaf_begin(i + 1); j++)
+                add_to_box(node[n_leaves - 1 + i], facet[j].lo, facet[j].hi, facet[j].touched);
+        for (size_t k = n_leaves - 1; k-- > 0;)
+            for (size_t child = 2 * k + 1; child <= 2 * k + 2; child++)
+                add_to_box(node[k], node[child].lo, node[child].hi, node[child].touched);
+    }
+
+    static void add_to_box(Box &b, const double lo[3], const double hi[3], bool touched)
+    {
+        for (int k = 0; k < 3; k++) {
+            b.lo[k] = std::min(b.lo[k], lo[k]);
+            b.hi[k] = std::max(b.hi[k], hi[k]);
+        }
+        b.touched = b.touched || touched;
+    }
+
+    template <class A, class B> static bool overlap(const A &a, const B &b)
+    {
+        return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1]
+            && a.lo[2] <= b.hi[2] && b.lo[2] <= a.hi[2];
+    }
+
+    /* All pairs of one facet under node A and one under node B, which are on
+     * one level.  Recursion: at most one level of the tree a step. */
+    void search(size_t a, size_t b)
+    {
+        if (found >= limit || !(node[a].touched || node[b].touched) || !overlap(node[a], node[b]))
+            return;
+        if (a >= n_leaves - 1) {
+            search_leaves(a - (n_leaves - 1), b - (n_leaves - 1));
+            return;
+        }
+        search(2 * a + 1, 2 * b + 1);
+        search(2 * a + 1, 2 * b + 2);
+        if (a != b)
+            search(2 * a + 2, 2 * b + 1);
+        search(2 * a + 2, 2 * b + 2);
+    }
+
+    void search_leaves(size_t a, size_t b)
+    {
+        for (size_t i = leaf_begin(a); i < leaf_begin(a + 1); i++) {
+            const Facet &s = facet[i];
+            for (size_t j = a == b ? i + 1 : leaf_begin(b); j < leaf_begin(b + 1); j++) {
+                const Facet &t = facet[j];
+                if (overlap(s, t) && (s.touched || t.touched) && meet(s, t)) {
+                    record(s.index, t.index);
+                    if (found >= limit)
+                        return;
+                }
+            }
+        }
+    }
+};
+
+/* The extent of what the triangles use, no side of it 0 (it divides). */
+void find_extent(const double *xyz, const uint32_t *tri, size_t n, double low[3], double extent[3])
+{
+    double high[3];
+    for (int k = 0; k < 3; k++)
+        low[k] = high[k] = xyz[3 * size_t(tri[0]) + size_t(k)];
+    for (size_t i = 0; i < 3 * n; i++)
+        for (int k = 0; k < 3; k++) {
+            double c = xyz[3 * size_t(tri[i]) + size_t(k)];
+            low[k] = std::min(low[k], c);
+            high[k] = std::max(high[k], c);
+        }
+    for (int k = 0; k < 3; k++)
+        extent[k] = std::max(high[k] - low[k], DBL_MIN);
+}
+
+il_status find_intersections(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n,
+                             const unsigned char *touched, Search &search, il_error *err)
+{
+    for (size_t i = 0; i < 3 * n; i++)
+        if (tri[i] >= n_vertices)
+            return il_fail(err, IL_E_INTERNAL, 0, "a triangle names a vertex that is not there");
+    double low[3], extent[3];
+    find_extent(xyz, tri, n, low, extent);
+    std::vector<uint32_t> id = merge_positions(xyz, n_vertices);
+    search.facet.reserve(n);
+    for (size_t i = 0; i < n && search.found < search.limit; i++) {
+        Facet f;
+        for (int k = 0; k < 3; k++) {
+            f.v[k] = xyz + 3 * size_t(tri[3 * i + size_t(k)]);
+            f.id[k] = id[tri[3 * i + size_t(k)]];
+        }
+        f.index = uint32_t(i);
+        f.touched = !touched || touched[i];
+        set_box(f);
+        if (set_plane(f, extent))
+            search.facet.push_back(f);
+        else if (f.touched)
+            search.record(f.index, f.index);
+    }
+    search.sort_facets(low, extent);
+    search.build_tree();
+    search.search(0, 0);
+    return IL_OK;
+}
+
+template <class F> il_status guarded(il_error *err, F &&f) noexcept
+{
+    try {
+        return f();
+    } catch (const std::bad_alloc &) {
+        return il_fail_nomem(err);
+    } catch (const CGAL::Failure_exception &e) {
+        return il_fail(err, IL_E_INTERNAL, 0, "CGAL: %.120s", e.what());
+    } catch (const std::exception &e) {
+        return il_fail(err, IL_E_INTERNAL, 0, "%.140s", e.what());
+    }
+}
+
+} // namespace
+
+il_status il_intersections(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n_triangles,
+                           const unsigned char *touched, size_t limit,
+                           size_t *found, uint32_t first[2], il_error *err)
+{
+    *found = 0;
+    first[0] = first[1] = UINT32_MAX;
+    if (n_triangles == 0 || limit == 0)
+        return IL_OK;
+    return guarded(err, [&] {
+        Search search;
+        search.limit = limit;
+        il_status st = find_intersections(xyz, n_vertices, tri, n_triangles, touched, search, err);
+        *found = search.found;
+        first[0] = search.first[0];
+        first[1] = search.first[1];
+        return st;
+    });
+}

@@ -3,7 +3,6 @@
 #define IL_LOFT_LOFTER_H
 
 #include "model/mesh.h"
-#include "model/report.h"
 #include "model/sink.h"
 
 typedef enum il_cap { IL_CAP_FLAT, IL_CAP_DOME } il_cap;
@@ -29,8 +28,7 @@ enum { IL_LOFT_WINDOW = 8 };
  * IL_E_SURFACE names stack, slices and place when no attempt passes the
  * certificate: then NEXT was told to abandon the stack, and the caller may go
  * on with the next one by calling stack_begin. */
-il_status il_lofter_new(il_sink **out, const il_loft_options *o, il_mesh_sink *next,
-                        il_report *report, il_error *err);
+il_status il_lofter_new(il_sink **out, const il_loft_options *o, il_mesh_sink *next, il_error *err);
 void il_lofter_free(il_sink *s);
 
 #endif

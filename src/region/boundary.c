@@ -1,6 +1,7 @@
 #include "config.h"
 #include "region/boundary.h"
 #include "base/alloc.h"
+#include "base/parity.h"
 #include "bridge/triangulation.h"
 
 #include <stdlib.h>
@@ -16,6 +17,7 @@ typedef struct face_map {
     il_keymap edge_at;            /* undirected edge -> index */
     size_t n_nodes, n_edges;
     uint32_t *corner, *across;
+    uint32_t *bound;              /* [3*n_triangles] the odd edge there, or NONE */
     size_t n_triangles;
     unsigned char *inside;        /* [n_triangles] even-odd */
     unsigned char *done;          /* [n_triangles] bit k: boundary edge k is in a ring */
@@ -32,6 +34,7 @@ static void face_map_free(face_map *m)
     il_keymap_free(&m->edge_at);
     il_free(m->corner);
     il_free(m->across);
+    il_free(m->bound);
     il_free(m->inside);
     il_free(m->done);
 }
@@ -89,43 +92,22 @@ static il_status take_odd_edges(face_map *m, const il_arrangement *a, size_t *ca
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
-static uint32_t boundary_edge(const face_map *m, size_t t, int k)
+/* Which triangle edges bound the region, and on which side of them it lies. */
+static il_status find_inside(face_map *m, il_error *err)
 {
-    uint32_t p = m->corner[3 * t + (size_t)k], q = m->corner[3 * t + (size_t)(k + 1) % 3];
-    return il_keymap_get(&m->edge_at, IL_KEYMAP_EDGE(p, q), NONE);
-}
-
-/* Even-odd of every triangle: 0 beyond the hull, flipped across each edge. */
-static il_status flood(face_map *m, il_error *err)
-{
-    enum { UNKNOWN = 2 };
-    uint32_t *todo = il_alloc(m->n_triangles, sizeof *todo);
+    unsigned char *bound = il_alloc(m->n_triangles, 3);
+    m->bound = il_alloc(m->n_triangles, 3 * sizeof *m->bound);
     m->inside = il_alloc(m->n_triangles, 1);
     m->done = il_calloc(m->n_triangles, 1);
-    if (!todo || !m->inside || !m->done) {
-        il_free(todo);
-        return il_fail_nomem(err);
+    bool ok = bound && m->bound && m->inside && m->done;
+    for (size_t e = 0; ok && e < 3 * m->n_triangles; e++) {
+        uint32_t p = m->corner[e], q = m->corner[e % 3 == 2 ? e - 2 : e + 1];
+        m->bound[e] = il_keymap_get(&m->edge_at, IL_KEYMAP_EDGE(p, q), NONE);
+        bound[e] = m->bound[e] != NONE;
     }
-    memset(m->inside, UNKNOWN, m->n_triangles);
-    size_t n = 0;
-    for (size_t t = 0; t < m->n_triangles; t++)
-        for (int k = 0; k < 3; k++)
-            if (m->across[3 * t + (size_t)k] == NONE && m->inside[t] == UNKNOWN) {
-                m->inside[t] = boundary_edge(m, t, k) != NONE;
-                todo[n++] = (uint32_t)t;
-            }
-    while (n > 0) {
-        uint32_t t = todo[--n];
-        for (int k = 0; k < 3; k++) {
-            uint32_t u = m->across[3 * t + (size_t)k];
-            if (u != NONE && m->inside[u] == UNKNOWN) {
-                m->inside[u] = m->inside[t] ^ (boundary_edge(m, t, k) != NONE);
-                todo[n++] = u;
-            }
-        }
-    }
-    il_free(todo);
-    return IL_OK;
+    ok = ok && il_parity_flood(m->across, bound, 1, m->n_triangles, m->inside);
+    il_free(bound);
+    return ok ? IL_OK : il_fail_nomem(err);
 }
 
 /* From boundary edge *K of inside triangle *T to the next one: turn round its
@@ -133,7 +115,7 @@ static il_status flood(face_map *m, il_error *err)
 static void next_boundary_edge(const face_map *m, size_t *t, int *k)
 {
     *k = (*k + 1) % 3;
-    while (boundary_edge(m, *t, *k) == NONE) {
+    while (m->bound[3 * *t + (size_t)*k] == NONE) {
         uint32_t pivot = m->corner[3 * *t + (size_t)*k];
         *t = m->across[3 * *t + (size_t)*k];
         for (*k = 0; m->corner[3 * *t + (size_t)*k] != pivot; ++*k)
@@ -185,7 +167,7 @@ static bool trace(face_map *m, size_t t, int k, walk *w, uint32_t *position, il_
             w->n = from;
         }
         position[node] = (uint32_t)w->n;
-        ok = ok && walk_add(w, node, m->edge_mark[boundary_edge(m, t, k)]);
+        ok = ok && walk_add(w, node, m->edge_mark[m->bound[3 * t + (size_t)k]]);
         next_boundary_edge(m, &t, &k);
     }
     ok = ok && emit_ring(m, w, 0, out);
@@ -203,7 +185,7 @@ static il_status trace_all(face_map *m, il_slice *out, il_error *err)
         memset(position, 0xFF, m->n_nodes * sizeof *position);
     for (size_t t = 0; ok && t < m->n_triangles; t++)
         for (int k = 0; ok && k < 3; k++)
-            if (m->inside[t] && !(m->done[t] >> k & 1) && boundary_edge(m, t, k) != NONE)
+            if (m->inside[t] && !(m->done[t] >> k & 1) && m->bound[3 * t + (size_t)k] != NONE)
                 ok = trace(m, t, k, &w, position, out);
     il_free(position);
     il_free(w.node);
@@ -268,7 +250,7 @@ il_status il_boundary_extract(const il_arrangement *a, il_slice *out,
         if (st == IL_OK)
             st = il_triangulation_export(t, &m.corner, &m.across, &m.n_triangles, err);
         if (st == IL_OK)
-            st = flood(&m, err);
+            st = find_inside(&m, err);
         if (st == IL_OK)
             st = trace_all(&m, out, err);
         if (st == IL_OK)

@@ -1,0 +1,159 @@
+#include "config.h"
+#include "loft/certificate.h"
+#include "base/alloc.h"
+#include "bridge/intersection.h"
+
+#include <string.h>
+
+const char *il_flaw_words(il_flaw f)
+{
+    switch (f) {
+    case IL_FLAW_NONE:      return "sound";
+    case IL_FLAW_BOUNDARY:  return "the surface does not end in the contours";
+    case IL_FLAW_OPEN:      return "the surface is open";
+    case IL_FLAW_CROSSING:  return "the surface meets itself";
+    case IL_FLAW_REFERENCE: return "the contours are too close together to be told apart";
+    }
+    return "unknown";
+}
+
+void il_surface_position(const il_surface *s, const il_section *lower, const il_section *upper,
+                         uint32_t code, double xyz[3])
+{
+    uint32_t i = IL_CODE_INDEX(code);
+    if (IL_CODE_WHERE(code) == IL_INNER) {
+        memcpy(xyz, s->inner + 3 * i, 3 * sizeof *xyz);
+        return;
+    }
+    const il_section *section = IL_CODE_WHERE(code) == 0 ? lower : upper;
+    xyz[0] = section->xy[2 * i];
+    xyz[1] = section->xy[2 * i + 1];
+    xyz[2] = section->z;
+}
+
+static void flaw_at(il_verdict *v, il_flaw flaw, const il_surface *s, const il_section *lower, const il_section *upper, uint32_t code)
+{
+    v->flaw = flaw;
+    il_surface_position(s, lower, upper, code, v->at);
+}
+
+/* ---- (a) and (b): half-edges ---- */
+
+static bool count_half_edges(il_keymap *count, const il_surface *s)
+{
+    if (!il_keymap_reserve(count, 3 * s->n_triangles))
+        return false;
+    for (size_t i = 0; i < 3 * s->n_triangles; i++) {
+        uint32_t a = s->tri[i], b = s->tri[i % 3 == 2 ? i - 2 : i + 1];
+        ++*il_keymap_put(count, a, b, 0);
+    }
+    return true;
+}
+
+/* Every contour edge must be there once: as it runs in the lower plane, against
+ * it in the upper.  Takes them out of the count. */
+static bool take_contour(il_keymap *count, const il_section *section, int side, uint32_t *missing)
+{
+    for (size_t i = 0; i < section->n_stations; i++) {
+        uint32_t a = IL_CODE(side, section->node_at[i]), b = IL_CODE(side, section->node_at[section->next[i]]);
+        uint32_t from = side == 0 ? a : b, to = side == 0 ? b : a;
+        if (il_keymap_get(count, from, to, 0) != 1) {
+            *missing = a;
+            return false;
+        }
+        *il_keymap_put(count, from, to, 0) = 0;
+    }
+    return true;
+}
+
+/* What is left over must cancel, and none of it may lie in a slice plane. */
+static il_flaw check_rest(const il_keymap *count, const il_surface *s, uint32_t *where, size_t *multiple)
+{
+    for (size_t i = 0; i < 3 * s->n_triangles; i++) {
+        uint32_t a = s->tri[i], b = s->tri[i % 3 == 2 ? i - 2 : i + 1];
+        uint32_t n = il_keymap_get(count, a, b, 0);
+        *where = a;
+        if (n == 0)
+            continue;
+        if (IL_CODE_WHERE(a) == IL_CODE_WHERE(b) && IL_CODE_WHERE(a) != IL_INNER)
+            return IL_FLAW_BOUNDARY;
+        if (il_keymap_get(count, b, a, 0) != n)
+            return IL_FLAW_OPEN;
+        *multiple += n > 1;
+    }
+    return IL_FLAW_NONE;
+}
+
+static il_status check_edges(const il_surface *s, const il_section *lower, const il_section *upper,
+                             il_verdict *v, il_error *err)
+{
+    il_keymap count = IL_KEYMAP_INIT;
+    uint32_t where = 0;
+    if (!count_half_edges(&count, s))
+        return il_fail_nomem(err);
+    if (!take_contour(&count, lower, 0, &where) || !take_contour(&count, upper, 1, &where)) {
+        flaw_at(v, IL_FLAW_BOUNDARY, s, lower, upper, where);
+    } else {
+        il_flaw flaw = check_rest(&count, s, &where, &v->multiple);
+        if (flaw != IL_FLAW_NONE)
+            flaw_at(v, flaw, s, lower, upper, where);
+    }
+    il_keymap_free(&count);
+    return IL_OK;
+}
+
+/* ---- (c): triangles in space ---- */
+
+/* Vertices of the slab in one row: lower nodes, upper nodes, inner points. */
+typedef struct soup {
+    double *xyz;
+    uint32_t *tri;
+    size_t n_vertices;
+} soup;
+
+static bool make_soup(soup *m, const il_surface *s, const il_section *lower, const il_section *upper)
+{
+    const il_section *section[2] = { lower, upper };
+    size_t base[3] = { 0, lower->n_nodes, lower->n_nodes + upper->n_nodes };
+    m->n_vertices = base[2] + s->n_inner;
+    m->xyz = il_alloc(m->n_vertices, 3 * sizeof *m->xyz);
+    m->tri = il_alloc(s->n_triangles, 3 * sizeof *m->tri);
+    if (!m->xyz || !m->tri)
+        return false;
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; i < section[k]->n_nodes; i++) {
+            double *p = m->xyz + 3 * (base[k] + i);
+            p[0] = section[k]->xy[2 * i], p[1] = section[k]->xy[2 * i + 1], p[2] = section[k]->z;
+        }
+    if (s->n_inner > 0)
+        memcpy(m->xyz + 3 * base[2], s->inner, 3 * s->n_inner * sizeof *s->inner);
+    for (size_t i = 0; i < 3 * s->n_triangles; i++)
+        m->tri[i] = (uint32_t)(base[IL_CODE_WHERE(s->tri[i])] + IL_CODE_INDEX(s->tri[i]));
+    return true;
+}
+
+il_status il_certify_touched(const il_surface *s, const il_section *lower, const il_section *upper,
+                             const unsigned char *touched, il_verdict *verdict, il_error *err)
+{
+    soup m = { NULL, NULL, 0 };
+    size_t found = 0;
+    uint32_t first[2] = { 0, 0 };
+    il_status st = make_soup(&m, s, lower, upper) ? IL_OK : il_fail_nomem(err);
+    if (st == IL_OK)
+        st = il_intersections(m.xyz, m.n_vertices, m.tri, s->n_triangles, touched, 1, &found, first, err);
+    if (st == IL_OK && found > 0)
+        flaw_at(verdict, IL_FLAW_CROSSING, s, lower, upper, s->tri[3 * first[0]]);
+    il_free(m.xyz);
+    il_free(m.tri);
+    return st;
+}
+
+il_status il_certify(const il_surface *s, const il_section *lower, const il_section *upper,
+                     il_verdict *verdict, il_error *err)
+{
+    *verdict = (il_verdict){ IL_FLAW_NONE, { 0, 0, 0 }, 0 };
+    il_status st = check_edges(s, lower, upper, verdict, err);
+    if (st == IL_OK && verdict->flaw == IL_FLAW_NONE)
+        st = il_certify_touched(s, lower, upper, NULL, verdict, err);
+    return st;
+}

@@ -1,0 +1,142 @@
+#include "config.h"
+#include "loft/nearest.h"
+#include "base/alloc.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The tree of n segments splits them in halves down to LEAF.  Its boxes lie in
+ * depth-first order: a node's own, then those of its left half, then its right;
+ * so the place of a child follows from the counts and needs no pointers. */
+enum { LEAF = 4 };
+
+static size_t boxes_of(size_t n)
+{
+    return n <= LEAF ? 1 : 1 + boxes_of(n / 2) + boxes_of(n - n / 2);
+}
+
+static int compare_classes(const void *p, const void *q)
+{
+    const il_segment *a = p, *b = q;
+    return a->class < b->class ? -1 : a->class > b->class;
+}
+
+static int compare_in_x(const void *p, const void *q)
+{
+    const il_segment *a = p, *b = q;
+    double d = (a->ax + a->bx) - (b->ax + b->bx);
+    return d < 0 ? -1 : d > 0;
+}
+
+static int compare_in_y(const void *p, const void *q)
+{
+    const il_segment *a = p, *b = q;
+    double d = (a->ay + a->by) - (b->ay + b->by);
+    return d < 0 ? -1 : d > 0;
+}
+
+static void bound(double *box, const il_segment *s, size_t n)
+{
+    box[0] = box[1] = INFINITY;
+    box[2] = box[3] = -INFINITY;
+    for (size_t i = 0; i < n; i++) {
+        box[0] = fmin(box[0], fmin(s[i].ax, s[i].bx)), box[2] = fmax(box[2], fmax(s[i].ax, s[i].bx));
+        box[1] = fmin(box[1], fmin(s[i].ay, s[i].by)), box[3] = fmax(box[3], fmax(s[i].ay, s[i].by));
+    }
+}
+
+static void build(double *box, il_segment *s, size_t n)
+{
+    bound(box, s, n);
+    if (n <= LEAF)
+        return;
+    qsort(s, n, sizeof *s, box[2] - box[0] > box[3] - box[1] ? compare_in_x : compare_in_y);
+    build(box + 4, s, n / 2);
+    build(box + 4 + 4 * boxes_of(n / 2), s + n / 2, n - n / 2);
+}
+
+il_status il_nearest_build(il_nearest *t, il_segment *segment, size_t n, size_t n_classes, il_error *err)
+{
+    *t = (il_nearest){ segment, NULL, NULL, NULL, n, n_classes };
+    t->first = il_alloc(n_classes + 1, sizeof *t->first);
+    t->root = il_alloc(n_classes + 1, sizeof *t->root);
+    if (!t->first || !t->root)
+        goto no_memory;
+    if (n > 0)
+        qsort(segment, n, sizeof *segment, compare_classes);
+    size_t i = 0, n_boxes = 0;
+    for (size_t c = 0; c <= n_classes; c++) {
+        while (i < n && segment[i].class < c)
+            i++;
+        t->first[c] = i;
+        if (c > 0 && i > t->first[c - 1])
+            n_boxes += boxes_of(i - t->first[c - 1]);
+        t->root[c] = n_boxes;
+    }
+    t->box = il_alloc(n_boxes, 4 * sizeof *t->box);
+    if (!t->box)
+        goto no_memory;
+    for (size_t c = 0; c < n_classes; c++)
+        if (t->first[c + 1] > t->first[c])
+            build(t->box + 4 * t->root[c], segment + t->first[c], t->first[c + 1] - t->first[c]);
+    return IL_OK;
+no_memory:
+    il_nearest_free(t);
+    return il_fail_nomem(err);
+}
+
+void il_nearest_free(il_nearest *t)
+{
+    il_free(t->segment);
+    il_free(t->box);
+    il_free(t->first);
+    il_free(t->root);
+    *t = (il_nearest){ 0 };
+}
+
+static double segment_distance2(const il_segment *s, double x, double y)
+{
+    double ux = s->bx - s->ax, uy = s->by - s->ay, px = x - s->ax, py = y - s->ay;
+    double length2 = ux * ux + uy * uy;
+    double t = length2 > 0 ? fmin(fmax((px * ux + py * uy) / length2, 0), 1) : 0;
+    double dx = px - t * ux, dy = py - t * uy;
+    return dx * dx + dy * dy;
+}
+
+static double box_distance2(const double *box, double x, double y)
+{
+    double dx = fmax(fmax(box[0] - x, x - box[2]), 0), dy = fmax(fmax(box[1] - y, y - box[3]), 0);
+    return dx * dx + dy * dy;
+}
+
+static void search(const double *box, const il_segment *s, size_t n, double x, double y, double *least)
+{
+    if (n <= LEAF) {
+        for (size_t i = 0; i < n; i++)
+            *least = fmin(*least, segment_distance2(&s[i], x, y));
+        return;
+    }
+    const double *left = box + 4, *right = left + 4 * boxes_of(n / 2);
+    double to_left = box_distance2(left, x, y), to_right = box_distance2(right, x, y);
+    for (int turn = 0; turn < 2; turn++) {
+        bool go_left = (to_left <= to_right) == (turn == 0);
+        if ((go_left ? to_left : to_right) >= *least)
+            continue;
+        if (go_left)
+            search(left, s, n / 2, x, y, least);
+        else
+            search(right, s + n / 2, n - n / 2, x, y, least);
+    }
+}
+
+double il_nearest_distance(const il_nearest *t, size_t c, double x, double y)
+{
+    double least = INFINITY;
+    size_t n = t->first[c + 1] - t->first[c];
+    if (n > 0)
+        search(t->box + 4 * t->root[c], t->segment + t->first[c], n, x, y, &least);
+    return sqrt(least);
+}
+

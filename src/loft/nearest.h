@@ -1,0 +1,34 @@
+/* nearest.h - distance to the nearest of a set of segments. */
+#ifndef IL_LOFT_NEAREST_H
+#define IL_LOFT_NEAREST_H
+
+#include "base/status.h"
+
+#include <stddef.h>
+
+/* Segments in classes: end points and the number of the class. */
+typedef struct il_segment {
+    double ax, ay, bx, by;
+    size_t class;
+} il_segment;
+
+/* A bounding-box tree for each class over segment[n], which it owns and has
+ * sorted by class.  first[c] .. first[c + 1] are the segments of class c. */
+typedef struct il_nearest {
+    il_segment *segment;
+    double *box;         /* [4*n_boxes] of runs of segments, see nearest.c */
+    size_t *first;       /* [n_classes + 1] */
+    size_t *root;        /* [n_classes + 1] where the class's boxes begin */
+    size_t n, n_classes;
+} il_nearest;
+
+/* Build over segment[n], which is taken over also on failure (il_free).
+ * Classes count from 0 to n_classes - 1.  O(n log^2 n). */
+il_status il_nearest_build(il_nearest *t, il_segment *segment, size_t n, size_t n_classes, il_error *err);
+void il_nearest_free(il_nearest *t);
+
+/* Distance of (X, Y) to the nearest segment of class C, in the unit of the
+ * coordinates; infinity when the class is empty. */
+double il_nearest_distance(const il_nearest *t, size_t c, double x, double y);
+
+#endif

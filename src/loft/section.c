@@ -1,0 +1,165 @@
+#include "config.h"
+#include "loft/section.h"
+#include "base/alloc.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void il_section_free(il_section *s)
+{
+    il_free(s->xy);
+    il_free(s->ring);
+    il_free(s->vertex);
+    il_free(s->node_at);
+    il_free(s->next);
+    il_free(s->ring_at);
+    *s = (il_section)IL_SECTION_INIT;
+}
+
+static bool add_node(il_section *s, double x, double y, int32_t ring, int32_t vertex)
+{
+    size_t n = s->n_nodes;
+    if (!il_grow(&s->xy, &s->cap_nodes, 2 * (n + 1), sizeof *s->xy) ||
+        !il_grow(&s->ring, &s->cap_ring, n + 1, sizeof *s->ring) ||
+        !il_grow(&s->vertex, &s->cap_vertex, n + 1, sizeof *s->vertex))
+        return false;
+    s->xy[2 * n] = x;
+    s->xy[2 * n + 1] = y;
+    s->ring[n] = ring;
+    s->vertex[n] = vertex;
+    s->n_nodes++;
+    return true;
+}
+
+/* Room for N stations; the old ones are given up. */
+static bool new_stations(il_section *s, size_t n)
+{
+    uint32_t *node_at = il_alloc(n, sizeof *node_at);
+    uint32_t *next = il_alloc(n, sizeof *next);
+    uint32_t *ring_at = il_alloc(n, sizeof *ring_at);
+    il_free(s->node_at);
+    il_free(s->next);
+    il_free(s->ring_at);
+    s->node_at = node_at;
+    s->next = next;
+    s->ring_at = ring_at;
+    s->n_stations = 0;
+    return node_at && next && ring_at;
+}
+
+static void add_station(il_section *s, uint32_t node, uint32_t ring)
+{
+    s->node_at[s->n_stations] = node;
+    s->ring_at[s->n_stations] = ring;
+    s->next[s->n_stations] = (uint32_t)s->n_stations + 1;
+    s->n_stations++;
+}
+
+il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *err)
+{
+    il_keymap at = IL_KEYMAP_INIT;
+    *out = (il_section)IL_SECTION_INIT;
+    size_t points = il_slice_points(s);
+    if (points >= INT32_MAX / 4)
+        return il_fail(err, IL_E_INPUT, s->line, "a slice of %zu points is too large", points);
+    bool ok = il_keymap_reserve(&at, points) && new_stations(out, points);
+    out->z = s->z;
+    out->n_rings = s->n;
+    for (size_t i = 0; ok && i < s->n; i++) {
+        const il_ring *r = &s->ring[i];
+        uint32_t first = (uint32_t)out->n_stations;
+        for (size_t k = 0; ok && k < r->n; k++) {
+            double x = r->xy[2 * k], y = r->xy[2 * k + 1];
+            uint32_t *node = il_keymap_put(&at, il_keymap_double(x), il_keymap_double(y), (uint32_t)out->n_nodes);
+            ok = node && (*node < out->n_nodes || add_node(out, x, y, (int32_t)i, (int32_t)k));
+            if (ok)
+                add_station(out, *node, (uint32_t)i);
+        }
+        if (ok)
+            out->next[out->n_stations - 1] = first;
+    }
+    il_keymap_free(&at);
+    if (ok)
+        return IL_OK;
+    il_section_free(out);
+    return il_fail_nomem(err);
+}
+
+il_status il_section_copy(il_section *to, const il_section *from, il_error *err)
+{
+    size_t n = from->n_nodes, m = from->n_stations;
+    *to = (il_section)IL_SECTION_INIT;
+    to->z = from->z;
+    to->n_rings = from->n_rings;
+    if (!il_grow(&to->xy, &to->cap_nodes, 2 * n, sizeof *to->xy) || !il_grow(&to->ring, &to->cap_ring, n, sizeof *to->ring) ||
+        !il_grow(&to->vertex, &to->cap_vertex, n, sizeof *to->vertex) || !new_stations(to, m)) {
+        il_section_free(to);
+        return il_fail_nomem(err);
+    }
+    if (n > 0) {
+        memcpy(to->xy, from->xy, 2 * n * sizeof *to->xy);
+        memcpy(to->ring, from->ring, n * sizeof *to->ring);
+        memcpy(to->vertex, from->vertex, n * sizeof *to->vertex);
+        memcpy(to->node_at, from->node_at, m * sizeof *to->node_at);
+        memcpy(to->next, from->next, m * sizeof *to->next);
+        memcpy(to->ring_at, from->ring_at, m * sizeof *to->ring_at);
+    }
+    to->n_nodes = n;
+    to->n_stations = m;
+    return IL_OK;
+}
+
+/* Insertions in place order, with the node that each becomes. */
+typedef struct placed {
+    uint32_t station, node;
+    double t;
+} placed;
+
+static int compare_placed(const void *p, const void *q)
+{
+    const placed *a = p, *b = q;
+    if (a->station != b->station)
+        return a->station < b->station ? -1 : 1;
+    if (a->t != b->t)
+        return a->t < b->t ? -1 : 1;
+    return a->node < b->node ? -1 : a->node > b->node;
+}
+
+static bool insert_stations(il_section *s, const placed *p, size_t n)
+{
+    il_section old = *s;
+    s->node_at = s->next = s->ring_at = NULL;
+    bool ok = new_stations(s, old.n_stations + n);
+    uint32_t first = 0;
+    for (size_t i = 0, k = 0; ok && i < old.n_stations; i++) {
+        add_station(s, old.node_at[i], old.ring_at[i]);
+        for (; k < n && p[k].station == i; k++)
+            add_station(s, p[k].node, old.ring_at[i]);
+        if (old.next[i] != i + 1) { /* the ring ends here */
+            s->next[s->n_stations - 1] = first;
+            first = (uint32_t)s->n_stations;
+        }
+    }
+    il_free(old.node_at);
+    il_free(old.next);
+    il_free(old.ring_at);
+    return ok;
+}
+
+il_status il_section_insert(il_section *s, const il_insertion *p, size_t n, il_error *err)
+{
+    if (n == 0)
+        return IL_OK;
+    placed *list = il_alloc(n, sizeof *list);
+    bool ok = list != NULL;
+    for (size_t i = 0; ok && i < n; i++) {
+        list[i] = (placed){ p[i].station, (uint32_t)s->n_nodes, p[i].t };
+        ok = add_node(s, p[i].xy[0], p[i].xy[1], -1, -1);
+    }
+    if (ok) {
+        qsort(list, n, sizeof *list, compare_placed);
+        ok = insert_stations(s, list, n);
+    }
+    il_free(list);
+    return ok ? IL_OK : il_fail_nomem(err);
+}

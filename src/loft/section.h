@@ -1,0 +1,40 @@
+/* section.h - a clean slice as the lofter needs it: nodes, and edges that grow points. */
+#ifndef IL_LOFT_SECTION_H
+#define IL_LOFT_SECTION_H
+
+#include "base/keymap.h"
+#include "base/status.h"
+#include "model/stack.h"
+
+/* Nodes are distinct positions: xy[2*n_nodes]; rings that touch share a node.
+ * ring[i], vertex[i]: where node i first comes in the slice, or -1 when it was
+ * inserted.  Stations are the vertices of all rings in order: station s stands
+ * at node node_at[s], and edge s runs from station s to next[s].  Inserted
+ * nodes follow the others, so that the numbers of nodes never change. */
+typedef struct il_section {
+    double z;
+    double *xy;              size_t n_nodes, cap_nodes;
+    int32_t *ring, *vertex;  size_t cap_ring, cap_vertex;
+    uint32_t *node_at, *next, *ring_at; size_t n_stations, n_rings;
+} il_section;
+
+#define IL_SECTION_INIT { 0 }
+void il_section_free(il_section *s);
+
+/* The section of the clean slice S. */
+il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *err);
+
+il_status il_section_copy(il_section *to, const il_section *from, il_error *err);
+
+/* A point that a slab puts on edge STATION at parameter T in (0, 1). */
+typedef struct il_insertion {
+    uint32_t station;
+    double t;
+    double xy[2];
+} il_insertion;
+
+/* Insert P[0..N) into S: node k of them becomes n_nodes + k, in the order given,
+ * and its edge is split at it; several on one edge go by t. */
+il_status il_section_insert(il_section *s, const il_insertion *p, size_t n, il_error *err);
+
+#endif

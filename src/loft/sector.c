@@ -1,0 +1,126 @@
+#include "config.h"
+#include "loft/sector.h"
+#include "base/alloc.h"
+
+#include <string.h>
+
+/* Not yet decided: inside a mixed sector. */
+enum { OPEN = 3 };
+
+/* A corner of a triangle: 3 * t + k. */
+typedef uint32_t corner;
+
+typedef struct sectors {
+    const il_overlay *o;
+    il_labels *l;
+    corner *run;      /* the corners of the sector at hand, counter-clockwise */
+    size_t n, cap;
+} sectors;
+
+static corner before(corner c)
+{
+    return c % 3 == 0 ? c + 2 : c - 1;
+}
+
+unsigned char il_edge_plane(const il_overlay *o, uint32_t e)
+{
+    switch (o->edge[e] & IL_EDGE_CONTOUR) {
+    case IL_EDGE_LOWER: return IL_LOWER;
+    case IL_EDGE_UPPER: return IL_UPPER;
+    default:            return o->inside[e / 3] == IL_EDGE_UPPER ? IL_UPPER : IL_LOWER;
+    }
+}
+
+static bool collect(sectors *s, corner c)
+{
+    const il_overlay *o = s->o;
+    s->n = 0;
+    for (;;) {
+        if (!il_grow(&s->run, &s->cap, s->n + 1, sizeof *s->run))
+            return false;
+        s->run[s->n++] = c;
+        corner arriving = before(c);
+        if (o->edge[arriving] & IL_EDGE_CONTOUR)
+            return true;
+        uint32_t t = o->across[arriving], pivot = o->corner[c];
+        for (c = 3 * t; o->corner[c] != pivot; c++)
+            continue;
+    }
+}
+
+/* Give the corners before J the start copy, those after it the end copy. */
+static void split_at(sectors *s, size_t j, unsigned char start, unsigned char end)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        s->l->out[s->run[i]] = i <= j ? start : end;
+        s->l->in[s->run[i]] = i < j ? start : end;
+    }
+}
+
+/* How many of the sector's inner edges would be flat with both copies at J. */
+static size_t count_flat(const sectors *s, size_t j, unsigned char start, unsigned char end)
+{
+    size_t flat = 0;
+    for (size_t i = 0; i + 1 < s->n; i++) /* the edge between corners i and i + 1 */
+        flat += s->l->out[before(s->run[i])] == (i < j ? start : end);
+    return flat;
+}
+
+static size_t best_split(const sectors *s, unsigned char start, unsigned char end)
+{
+    size_t best = 0, least = SIZE_MAX;
+    for (size_t j = 0; j < s->n; j++) {
+        size_t flat = count_flat(s, j, start, end);
+        if (flat < least)
+            least = flat, best = j;
+    }
+    return best;
+}
+
+/* Pass 0 settles pure sectors and opens mixed ones; pass 1 settles these one
+ * after another, each seeing what is settled already. */
+static bool settle(sectors *s, int pass)
+{
+    const il_overlay *o = s->o;
+    for (corner c = 0; c < 3 * o->n_triangles; c++) {
+        if (!il_overlay_is_sheet(o, c / 3) || !(o->edge[c] & IL_EDGE_CONTOUR))
+            continue;
+        if (pass == 1 && s->l->out[c] != OPEN)
+            continue;
+        if (!collect(s, c))
+            return false;
+        unsigned char start = il_edge_plane(o, c), end = il_edge_plane(o, before(s->run[s->n - 1]));
+        if (start == end)
+            split_at(s, 0, start, end);
+        else if (pass == 0)
+            split_at(s, 0, OPEN, OPEN);
+        else
+            split_at(s, best_split(s, start, end), start, end);
+    }
+    return true;
+}
+
+il_status il_labels_assign(il_labels *l, const il_overlay *o, il_error *err)
+{
+    sectors s = { o, l, NULL, 0, 0 };
+    l->in = il_alloc(o->n_triangles, 3);
+    l->out = il_alloc(o->n_triangles, 3);
+    bool ok = l->in && l->out;
+    if (ok) {
+        memset(l->in, IL_FREE, 3 * o->n_triangles);
+        memset(l->out, IL_FREE, 3 * o->n_triangles);
+        ok = settle(&s, 0) && settle(&s, 1);
+    }
+    il_free(s.run);
+    if (ok)
+        return IL_OK;
+    il_labels_free(l);
+    return il_fail_nomem(err);
+}
+
+void il_labels_free(il_labels *l)
+{
+    il_free(l->in);
+    il_free(l->out);
+    l->in = l->out = NULL;
+}

@@ -1,0 +1,324 @@
+#include "config.h"
+#include "loft/snap.h"
+#include "base/alloc.h"
+#include "base/keymap.h"
+#include "bridge/boxes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+__extension__ typedef __int128 wide; /* products of two 54-bit differences */
+
+enum { MAX_ROUNDS = 24 };
+static const size_t MAX_PAIRS = 20 * 1000 * 1000;
+
+/* A piece of a reference edge; the pieces of one edge are linked in order. */
+typedef struct piece { uint32_t a, b, next; } piece;
+
+typedef struct cut {
+    uint32_t piece, point;
+    long double along;
+} cut;
+
+typedef struct snapper {
+    il_snapped *out;
+    il_keymap at;
+    piece *piece; size_t n_pieces, cap_pieces;
+    cut *cut; size_t n_cuts, cap_cuts;
+} snapper;
+
+static const uint32_t NONE = UINT32_MAX;
+
+/* ---- the grid ---- */
+
+static void extent(const il_reference *r, double low[2], double high[2])
+{
+    low[0] = low[1] = INFINITY;
+    high[0] = high[1] = -INFINITY;
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; i < r->side[k].n; i++) {
+            const il_ref_vertex *v = &r->side[k].vertex[i];
+            low[0] = fmin(low[0], v->x), high[0] = fmax(high[0], v->x);
+            low[1] = fmin(low[1], v->y), high[1] = fmax(high[1], v->y);
+        }
+}
+
+static double size_of(const il_reference *r)
+{
+    double low[2], high[2];
+    extent(r, low, high);
+    double size = fmax(high[0] - low[0], high[1] - low[1]);
+    return size > 0 && isfinite(size) ? size : 1;
+}
+
+int il_snap_first_exponent(const il_reference *r)
+{
+    return ilogb(size_of(r) * 1e-7);
+}
+
+int il_snap_last_exponent(const il_reference *r)
+{
+    return ilogb(size_of(r)) - 51;
+}
+
+static uint32_t grid_point(snapper *s, int64_t x, int64_t y)
+{
+    il_snapped *o = s->out;
+    uint32_t *id = il_keymap_put(&s->at, (uint64_t)x, (uint64_t)y, (uint32_t)o->n);
+    if (!id)
+        return NONE;
+    if (*id < o->n)
+        return *id;
+    if (!il_grow(&o->x, &o->cap_x, o->n + 1, sizeof *o->x) || !il_grow(&o->y, &o->cap_y, o->n + 1, sizeof *o->y))
+        return NONE;
+    o->x[o->n] = x;
+    o->y[o->n] = y;
+    return (uint32_t)o->n++;
+}
+
+static bool place_edges(snapper *s, const il_reference *r)
+{
+    for (int k = 0; k < 2; k++) {
+        const il_ref_side *side = &r->side[k];
+        size_t first = s->n_pieces;
+        if (!il_grow(&s->piece, &s->cap_pieces, first + side->n, sizeof *s->piece))
+            return false;
+        for (size_t i = 0; i < side->n; i++) {
+            int64_t x = llrint((side->vertex[i].x - s->out->origin[0]) / s->out->cell);
+            int64_t y = llrint((side->vertex[i].y - s->out->origin[1]) / s->out->cell);
+            uint32_t p = grid_point(s, x, y);
+            if (p == NONE)
+                return false;
+            s->piece[first + i] = (piece){ p, NONE, NONE };
+        }
+        for (size_t i = 0; i < side->n; i++)
+            s->piece[first + i].b = s->piece[first + side->next[i]].a;
+        s->n_pieces += side->n;
+    }
+    return true;
+}
+
+/* ---- one round ---- */
+
+static wide cross(const il_snapped *o, uint32_t a, uint32_t b, uint32_t c)
+{
+    return (wide)(o->x[b] - o->x[a]) * (o->y[c] - o->y[a]) - (wide)(o->y[b] - o->y[a]) * (o->x[c] - o->x[a]);
+}
+
+static wide dot(const il_snapped *o, uint32_t a, uint32_t b, uint32_t c)
+{
+    return (wide)(o->x[b] - o->x[a]) * (o->x[c] - o->x[a]) + (wide)(o->y[b] - o->y[a]) * (o->y[c] - o->y[a]);
+}
+
+static bool add_cut(snapper *s, uint32_t p, uint32_t point)
+{
+    const piece *e = &s->piece[p];
+    if (point == e->a || point == e->b)
+        return true;
+    if (!il_grow(&s->cut, &s->cap_cuts, s->n_cuts + 1, sizeof *s->cut))
+        return false;
+    s->cut[s->n_cuts++] = (cut){ p, point, (long double)dot(s->out, e->a, e->b, point) };
+    return true;
+}
+
+/* Lead piece P through POINT when it is near: distance^2 = cross^2 / length^2. */
+static bool attract(snapper *s, uint32_t p, uint32_t point, wide area)
+{
+    const piece *e = &s->piece[p];
+    if (point == e->a || point == e->b)
+        return true;
+    wide along = dot(s->out, e->a, e->b, point), length2 = dot(s->out, e->a, e->b, e->b);
+    if (along <= 0 || along >= length2)
+        return true;
+    long double reach2 = (long double)(IL_SNAP_REACH * IL_SNAP_REACH) * (long double)length2;
+    if ((long double)area * (long double)area >= reach2)
+        return true;
+    return add_cut(s, p, point);
+}
+
+static int sign(wide v)
+{
+    return (v > 0) - (v < 0);
+}
+
+static bool cut_pair(snapper *s, uint32_t p, uint32_t q)
+{
+    const piece e = s->piece[p], f = s->piece[q];
+    const il_snapped *o = s->out;
+    if ((e.a == f.a && e.b == f.b) || (e.a == f.b && e.b == f.a) || e.a == e.b || f.a == f.b)
+        return true;
+    wide fa = cross(o, e.a, e.b, f.a), fb = cross(o, e.a, e.b, f.b);
+    wide ea = cross(o, f.a, f.b, e.a), eb = cross(o, f.a, f.b, e.b);
+    size_t before = s->n_cuts;
+    if (!attract(s, p, f.a, fa) || !attract(s, p, f.b, fb) || !attract(s, q, e.a, ea) || !attract(s, q, e.b, eb))
+        return false;
+    if (s->n_cuts > before || sign(fa) * sign(fb) >= 0 || sign(ea) * sign(eb) >= 0)
+        return true;
+    /* they cross at e.a + t (e.b - e.a), t = ea / (ea - eb) */
+    long double t = (long double)ea / (long double)(ea - eb);
+    int64_t x = o->x[e.a] + llrintl(t * (long double)(o->x[e.b] - o->x[e.a]));
+    int64_t y = o->y[e.a] + llrintl(t * (long double)(o->y[e.b] - o->y[e.a]));
+    uint32_t point = grid_point(s, x, y);
+    return point != NONE && add_cut(s, p, point) && add_cut(s, q, point);
+}
+
+static double *piece_boxes(const snapper *s)
+{
+    double *box = il_alloc(s->n_pieces, 4 * sizeof *box);
+    const il_snapped *o = s->out;
+    for (size_t i = 0; box && i < s->n_pieces; i++) {
+        double ax = (double)o->x[s->piece[i].a], ay = (double)o->y[s->piece[i].a];
+        double bx = (double)o->x[s->piece[i].b], by = (double)o->y[s->piece[i].b];
+        box[4 * i] = fmin(ax, bx) - 0.5, box[4 * i + 1] = fmin(ay, by) - 0.5;
+        box[4 * i + 2] = fmax(ax, bx) + 0.5, box[4 * i + 3] = fmax(ay, by) + 0.5;
+    }
+    return box;
+}
+
+static il_status find_cuts(snapper *s, il_error *err)
+{
+    uint32_t *pair = NULL;
+    size_t n_pairs = 0;
+    double *box = piece_boxes(s);
+    if (!box)
+        return il_fail_nomem(err);
+    s->n_cuts = 0;
+    il_status st = il_box_pairs(box, s->n_pieces, MAX_PAIRS, &pair, &n_pairs, err);
+    for (size_t i = 0; st == IL_OK && i < n_pairs; i++)
+        if (!cut_pair(s, pair[2 * i], pair[2 * i + 1]))
+            st = il_fail_nomem(err);
+    il_free(pair);
+    il_free(box);
+    return st;
+}
+
+static int compare_cuts(const void *p, const void *q)
+{
+    const cut *a = p, *b = q;
+    if (a->piece != b->piece)
+        return a->piece < b->piece ? -1 : 1;
+    if (a->along != b->along)
+        return a->along < b->along ? -1 : 1;
+    return a->point < b->point ? -1 : a->point > b->point;
+}
+
+static bool apply_cuts(snapper *s)
+{
+    qsort(s->cut, s->n_cuts, sizeof *s->cut, compare_cuts);
+    for (size_t i = 0; i < s->n_cuts;) {
+        uint32_t p = s->cut[i].piece, end = s->piece[p].b, last = p;
+        for (; i < s->n_cuts && s->cut[i].piece == p; i++) {
+            uint32_t point = s->cut[i].point;
+            if (point == s->piece[last].a)
+                continue;
+            if (!il_grow(&s->piece, &s->cap_pieces, s->n_pieces + 1, sizeof *s->piece))
+                return false;
+            s->piece[s->n_pieces] = (piece){ point, end, s->piece[last].next };
+            s->piece[last].b = point;
+            s->piece[last].next = (uint32_t)s->n_pieces;
+            last = (uint32_t)s->n_pieces++;
+        }
+    }
+    return true;
+}
+
+/* ---- the result ---- */
+
+static bool collect_runs(snapper *s, const il_reference *r)
+{
+    size_t first = 0;
+    for (int k = 0; k < 2; k++) {
+        size_t n_edges = r->side[k].n, n = 0;
+        s->out->run[k] = il_alloc(n_edges + 1, sizeof *s->out->run[k]);
+        s->out->point[k] = il_alloc(s->n_pieces, sizeof *s->out->point[k]);
+        if (!s->out->run[k] || !s->out->point[k])
+            return false;
+        for (size_t i = 0; i < n_edges; i++) {
+            s->out->run[k][i] = (uint32_t)n;
+            for (uint32_t p = (uint32_t)(first + i); p != NONE; p = s->piece[p].next)
+                s->out->point[k][n++] = s->piece[p].a;
+        }
+        s->out->run[k][n_edges] = (uint32_t)n;
+        s->out->n_points[k] = n;
+        first += n_edges;
+    }
+    return true;
+}
+
+/* I1: one side visits each grid point once, or as often as rings touch in the
+ * one real node that stands there. */
+static il_status is_injective(const il_snapped *o, const il_reference *r, bool *injective, il_error *err)
+{
+    enum { FREE = -1, POINT = -2 };
+    int32_t *visitor = il_alloc(o->n, sizeof *visitor);
+    if (!visitor)
+        return il_fail_nomem(err);
+    for (int k = 0; k < 2 && *injective; k++) {
+        for (size_t i = 0; i < o->n; i++)
+            visitor[i] = FREE;
+        for (size_t i = 0; i < r->side[k].n; i++) {
+            const il_ref_vertex *v = &r->side[k].vertex[i];
+            for (uint32_t j = o->run[k][i]; j < o->run[k][i + 1]; j++) {
+                bool is_node = j == o->run[k][i] && v->t == 0;
+                int32_t who = is_node ? (int32_t)r->section[k]->node_at[v->station] : POINT;
+                int32_t *there = &visitor[o->point[k][j]];
+                if (*there != FREE && (*there == POINT || *there != who))
+                    *injective = false;
+                *there = who;
+            }
+        }
+    }
+    il_free(visitor);
+    return IL_OK;
+}
+
+il_status il_snap(il_snapped *out, const il_reference *r, int exponent, bool *injective, il_error *err)
+{
+    snapper s = { out, IL_KEYMAP_INIT, NULL, 0, 0, NULL, 0, 0 };
+    double low[2], high[2];
+    il_status st = IL_OK;
+    memset(out, 0, sizeof *out);
+    extent(r, low, high);
+    out->cell = ldexp(1, exponent);
+    for (int k = 0; k < 2; k++) /* a multiple of the cell, so that no bit is lost */
+        out->origin[k] = isfinite(low[k]) ? rint((low[k] + (high[k] - low[k]) / 2) / out->cell) * out->cell : 0;
+    if (!place_edges(&s, r))
+        st = il_fail_nomem(err);
+    *injective = true;
+    for (int round = 0; st == IL_OK && *injective; round++) {
+        st = find_cuts(&s, err);
+        if (st != IL_OK || s.n_cuts == 0)
+            break;
+        if (!apply_cuts(&s))
+            st = il_fail_nomem(err);
+        *injective = round < MAX_ROUNDS;
+    }
+    if (st == IL_OK && !collect_runs(&s, r))
+        st = il_fail_nomem(err);
+    if (st == IL_OK && *injective)
+        st = is_injective(out, r, injective, err);
+    il_keymap_free(&s.at);
+    il_free(s.piece);
+    il_free(s.cut);
+    if (st != IL_OK)
+        il_snapped_free(out);
+    return st;
+}
+
+void il_snapped_free(il_snapped *s)
+{
+    il_free(s->x);
+    il_free(s->y);
+    for (int k = 0; k < 2; k++) {
+        il_free(s->run[k]);
+        il_free(s->point[k]);
+    }
+    memset(s, 0, sizeof *s);
+}
+
+void il_snapped_point(const il_snapped *s, size_t i, double out[2])
+{
+    out[0] = s->origin[0] + s->cell * (double)s->x[i];
+    out[1] = s->origin[1] + s->cell * (double)s->y[i];
+}

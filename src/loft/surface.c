@@ -1,0 +1,31 @@
+#include "config.h"
+#include "loft/surface.h"
+#include "base/alloc.h"
+
+#include <string.h>
+
+void il_surface_free(il_surface *s)
+{
+    il_free(s->tri);
+    il_free(s->inner);
+    il_free(s->insertion[0]);
+    il_free(s->insertion[1]);
+    *s = (il_surface)IL_SURFACE_INIT;
+}
+
+bool il_surface_add_triangle(il_surface *s, uint32_t a, uint32_t b, uint32_t c)
+{
+    if (!il_grow(&s->tri, &s->cap_triangles, 3 * (s->n_triangles + 1), sizeof *s->tri))
+        return false;
+    uint32_t *t = s->tri + 3 * s->n_triangles++;
+    t[0] = a, t[1] = b, t[2] = c;
+    return true;
+}
+
+uint32_t il_surface_add_inner(il_surface *s, const double xyz[3])
+{
+    if (s->n_inner >= UINT32_MAX / 3 - 1 || !il_grow(&s->inner, &s->cap_inner, 3 * (s->n_inner + 1), sizeof *s->inner))
+        return UINT32_MAX;
+    memcpy(s->inner + 3 * s->n_inner, xyz, 3 * sizeof *xyz);
+    return IL_CODE(IL_INNER, s->n_inner++);
+}

@@ -1,0 +1,178 @@
+#include "config.h"
+#include "loft/window.h"
+#include "base/alloc.h"
+#include "loft/pinch.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- what the workers do, without the mutex ---- */
+
+static void measure(const il_window *w, il_window_place *p, const il_section *upper)
+{
+    const il_surface *s = &p->slab.surface;
+    p->volume = p->area = 0;
+    for (size_t t = 0; t < s->n_triangles; t++) {
+        double v[3][3], u[3], d[3];
+        for (size_t k = 0; k < 3; k++) {
+            il_surface_position(s, &p->section, upper, s->tri[3 * t + k], v[k]);
+            for (size_t i = 0; i < 3; i++)
+                v[k][i] -= w->origin[i];
+        }
+        for (size_t i = 0; i < 3; i++)
+            u[i] = v[1][i] - v[0][i], d[i] = v[2][i] - v[0][i];
+        double n[3] = { u[1] * d[2] - u[2] * d[1], u[2] * d[0] - u[0] * d[2], u[0] * d[1] - u[1] * d[0] };
+        p->volume += (v[0][0] * n[0] + v[0][1] * n[1] + v[0][2] * n[2]) / 6;
+        p->area += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
+    }
+}
+
+/* Take apart what more than two triangles share, and see that it stays sound. */
+static il_status split_pinches(il_window_place *p, const il_section *upper)
+{
+    unsigned char *touched = NULL;
+    il_slab *slab = &p->slab;
+    il_status st = il_pinch_split_edges(&slab->surface, &p->section, upper, &touched, &p->n_split, &p->error);
+    if (st == IL_OK)
+        st = il_certify_touched(&slab->surface, &p->section, upper, touched, &slab->verdict, &p->error);
+    if (st == IL_OK && slab->verdict.flaw != IL_FLAW_NONE)
+        st = IL_E_SURFACE;
+    il_free(touched);
+    return st;
+}
+
+static void finish(const il_window *w, il_window_place *p, const il_section *upper)
+{
+    p->status = il_slab_follow(&p->slab, &p->section, upper, &p->error);
+    if (p->status == IL_OK && p->slab.verdict.multiple > 0)
+        p->status = split_pinches(p, upper);
+    if (p->status == IL_OK)
+        measure(w, p, upper);
+}
+
+/* ---- what may be done when ---- */
+
+static bool lofted(il_window *w, size_t p)
+{
+    return il_window_at(w, p)->state >= IL_SLAB_LOFTED && il_window_at(w, p)->state != IL_SLAB_LOFTING;
+}
+
+/* Is slab P lofted, or is it certain that there is none? */
+static bool lofted_or_none(il_window *w, size_t p)
+{
+    if (p < w->first)
+        return true; /* gone already */
+    return il_window_has_slab(w, p) ? lofted(w, p) : w->ended;
+}
+
+static bool may_loft(il_window *w, size_t p)
+{
+    return p % 2 == 0 || (lofted_or_none(w, p - 1) && lofted_or_none(w, p + 1));
+}
+
+static bool may_finish(il_window *w, size_t p)
+{
+    return p % 2 == 1 || ((p == 0 || lofted_or_none(w, p - 1)) && lofted_or_none(w, p + 1));
+}
+
+static int step(void *self, pthread_mutex_t *mutex)
+{
+    il_window *w = self;
+    for (size_t p = w->first; !w->cancelled && il_window_has_slab(w, p); p++) {
+        il_window_place *place = il_window_at(w, p), *above = il_window_at(w, p + 1);
+        if (place->state == IL_SLAB_WAITING && may_loft(w, p)) {
+            place->state = IL_SLAB_LOFTING;
+            pthread_mutex_unlock(mutex);
+            place->status = il_slab_loft(&place->slab, &place->section, &above->section, w->round_float, &place->error);
+            pthread_mutex_lock(mutex);
+            place->state = IL_SLAB_LOFTED;
+        } else if (place->state == IL_SLAB_LOFTED && may_finish(w, p)) {
+            place->state = IL_SLAB_FINISHING;
+            pthread_mutex_unlock(mutex);
+            if (place->status == IL_OK)
+                finish(w, place, &above->section);
+            pthread_mutex_lock(mutex);
+            place->state = IL_SLAB_FINISHED;
+        } else {
+            continue;
+        }
+        il_crew_wake(&w->crew);
+        return 1;
+    }
+    return 0;
+}
+
+/* ---- the window ---- */
+
+il_status il_window_start(il_window *w, int threads, bool round_float, il_error *err)
+{
+    memset(w, 0, sizeof *w);
+    w->round_float = round_float;
+    return il_crew_start(&w->crew, threads, step, w, err);
+}
+
+void il_window_stop(il_window *w)
+{
+    il_crew_end(&w->crew);
+    for (size_t i = 0; i < IL_LOFT_WINDOW; i++) {
+        il_section_free(&w->place[i].section);
+        il_slab_free(&w->place[i].slab);
+    }
+}
+
+void il_window_push(il_window *w, il_section *section, int32_t slice)
+{
+    il_window_place *p = il_window_at(w, w->first + w->n);
+    *p = (il_window_place){ .section = *section, .slice = slice, .error = IL_ERROR_INIT };
+    *section = (il_section)IL_SECTION_INIT;
+    if (w->n == 0 && w->first == 0 && p->section.n_nodes > 0) {
+        w->origin[0] = p->section.xy[0];
+        w->origin[1] = p->section.xy[1];
+        w->origin[2] = p->section.z;
+    }
+    w->n++;
+    il_crew_wake(&w->crew);
+}
+
+void il_window_end(il_window *w)
+{
+    w->ended = true;
+    il_crew_wake(&w->crew);
+}
+
+bool il_window_ready(il_window *w)
+{
+    size_t p = w->first;
+    if (!il_window_has_slab(w, p) || il_window_at(w, p)->state != IL_SLAB_FINISHED)
+        return false;
+    return il_window_has_slab(w, p + 1) ? il_window_at(w, p + 1)->state == IL_SLAB_FINISHED : w->ended;
+}
+
+void il_window_pop(il_window *w)
+{
+    il_window_place *p = il_window_at(w, w->first);
+    il_section_free(&p->section);
+    il_slab_free(&p->slab);
+    w->first++;
+    w->n--;
+}
+
+static bool is_busy(il_window *w)
+{
+    for (size_t p = w->first; p < w->first + w->n; p++)
+        if (il_window_at(w, p)->state == IL_SLAB_LOFTING || il_window_at(w, p)->state == IL_SLAB_FINISHING)
+            return true;
+    return false;
+}
+
+void il_window_clear(il_window *w)
+{
+    w->cancelled = true;
+    while (is_busy(w))
+        il_crew_help(&w->crew);
+    while (w->n > 0)
+        il_window_pop(w);
+    w->first = 0;
+    w->ended = w->cancelled = false;
+    memset(w->origin, 0, sizeof w->origin);
+}

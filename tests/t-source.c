@@ -223,7 +223,7 @@ static void a_non_blocking_pipe_is_waited_for(void **state)
     fcntl(STDIN_FILENO, F_SETFL, O_NONBLOCK);
     il_source *s;
     char back[20];
-    size_t n;
+    size_t n = 0;
     il_status st = il_source_open(&s, "-", NULL);
     if (st == IL_OK)
         st = read_all(s, 20, back, sizeof back, &n, NULL);

@@ -205,27 +205,40 @@ bool il_output_close_descriptor(il_output *o)
     return fd >= 0 && (close(fd) == 0 || errno == EINTR);
 }
 
+/* All bytes into the file, under whatever name. */
+static void complete(il_output *o)
+{
+    if (o->kind == IL_OUTPUT_MEMORY || o->kind == IL_OUTPUT_SPOOL)
+        return;
+    il_output_empty_buffer(o);
+    if (o->fd < 0)
+        il_output_make_temporary(o); /* an empty file is a file too */
+    if (o->failure.code == IL_OK && !il_output_close_descriptor(o))
+        il_fail_system(&o->failure, o->path, "cannot write", errno);
+}
+
 static void put_in_place(il_output *o)
 {
-    if (!il_output_close_descriptor(o))
-        il_fail_system(&o->failure, o->path, "cannot write", errno);
-    else if (o->temporary && rename(o->temporary, o->target) != 0)
+    if (!o->temporary)
+        return;
+    if (rename(o->temporary, o->target) != 0) {
         il_fail_system(&o->failure, o->path, "cannot put the finished file in place", errno);
-    if (o->failure.code == IL_OK) {
-        il_free(o->temporary);
-        o->temporary = NULL;
+        return;
     }
+    il_free(o->temporary);
+    o->temporary = NULL;
 }
 
 il_status il_output_commit(il_output *o, il_error *err)
 {
-    if (o->kind == IL_OUTPUT_REPLACED || o->kind == IL_OUTPUT_IN_PLACE) {
-        il_output_empty_buffer(o);
-        if (o->fd < 0)
-            il_output_make_temporary(o); /* an empty file is a file too */
-        if (o->failure.code == IL_OK)
-            put_in_place(o);
+    complete(o);
+    if (o->beside && o->failure.code == IL_OK) {
+        il_output *beside = o->beside;
+        o->beside = NULL;
+        il_output_commit(beside, &o->failure);
     }
+    if (o->failure.code == IL_OK)
+        put_in_place(o);
     il_status st = il_output_status(o, err);
     il_output_discard(o);
     return st;
@@ -235,6 +248,7 @@ void il_output_discard(il_output *o)
 {
     if (!o)
         return;
+    il_output_discard(o->beside);
     if (o->owns_fd)
         close(o->fd);
     if (o->temporary)

@@ -28,6 +28,7 @@ struct il_output {
     unsigned char *buf;
     size_t used, cap;
     uint64_t bytes;
+    il_output *beside;   /* committed and discarded with this one */
     il_error failure;    /* the first one */
 };
 

@@ -45,6 +45,16 @@ bool il_output_is_terminal(const il_output *o)
     return o->fd >= 0 && isatty(o->fd);
 }
 
+const char *il_output_file_path(const il_output *o)
+{
+    return o->kind == IL_OUTPUT_REPLACED ? o->path : NULL;
+}
+
+void il_output_also(il_output *o, il_output *beside)
+{
+    o->beside = beside;
+}
+
 uint64_t il_output_bytes(const il_output *o)
 {
     return o->bytes;
@@ -134,6 +144,12 @@ void il_output_number(il_output *o, double value)
 {
     char text[IL_NUMBER_MAX];
     il_output_write(o, text, il_number_format(text, value));
+}
+
+void il_output_float(il_output *o, float value)
+{
+    char text[IL_NUMBER_MAX];
+    il_output_write(o, text, il_number_format_float(text, value));
 }
 
 void il_output_integer(il_output *o, long long value)

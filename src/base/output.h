@@ -40,6 +40,11 @@ il_status il_output_read_back(il_output *spool, uint64_t at, void *to, size_t n,
 il_status il_output_rewind(il_output *spool, uint64_t bytes, il_error *err);
 
 bool il_output_is_terminal(const il_output *o);
+/* The path of the regular file that O will be; null for everything else. */
+const char *il_output_file_path(const il_output *o);
+/* BESIDE is O's from now on: both get their names when O is committed, after
+ * all bytes of both are safe, and neither does when one fails.  One a file. */
+void il_output_also(il_output *o, il_output *beside);
 uint64_t il_output_bytes(const il_output *o);
 
 /* Write; buffered.  The first failure is kept: later writes do nothing, and
@@ -48,6 +53,7 @@ void il_output_write(il_output *o, const void *data, size_t n);
 void il_output_string(il_output *o, const char *s);
 void il_output_char(il_output *o, char c);
 void il_output_number(il_output *o, double value);          /* il_number_format */
+void il_output_float(il_output *o, float value);            /* il_number_format_float */
 void il_output_integer(il_output *o, long long value);
 void il_output_u32le(il_output *o, uint32_t v);
 void il_output_f32le(il_output *o, float v);
@@ -59,8 +65,8 @@ il_status il_output_flush(il_output *o, il_error *err);
 /* The first error so far as a status, without ending anything. */
 il_status il_output_status(const il_output *o, il_error *err);
 
-/* Flush, sync the name (rename), close.  IL_E_IO names the path and the
- * system's reason; the temporary file is gone then.  Frees O either way. */
+/* Flush, close, rename.  IL_E_IO names the path and the system's reason; the
+ * temporary file is gone then.  Frees O either way. */
 il_status il_output_commit(il_output *o, il_error *err);
 
 /* Give up: the temporary file is removed, an old file is left as it was.

@@ -7,16 +7,21 @@
 #include "model/sink.h"
 
 /* What the mesh writers are told.  comment: lines for headers that have room
- * (null-terminated list, each printable, or null). */
+ * (null-terminated list, borrowed, made printable there; or null).
+ * groups_by_slab: OBJ begins a group with each slab, not only with each stack. */
 typedef struct il_write_options {
     const char *const *comment;
+    bool groups_by_slab;
 } il_write_options;
 
 /* name: as after -t.  extension: the one that chooses it, or "" when another
  * entry has it.  Either mesh_new or contours_new is set: what it takes.
- * mesh_new: a mesh sink that spools and writes to OUT (borrowed) at `finish`;
- * nothing reaches OUT before.  The caller commits OUT.  round_float: it holds
- * 32-bit floats only. */
+ * mesh_new: a mesh sink that spools and writes to TO (borrowed) at `finish`;
+ * nothing reaches TO before.  The caller commits TO, and with it the MTL that
+ * OBJ puts beside a regular file.  Positions come in the stack's coordinates;
+ * the writer takes them to the world's by the head's frame, and turns the
+ * triangles where that frame is left-handed.  -0 is written 0.  Options may be
+ * null.  round_float: it holds 32-bit floats only. */
 typedef struct il_writer {
     const char *name, *extension, *words;
     bool binary, round_float;

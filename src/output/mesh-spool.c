@@ -1,0 +1,186 @@
+/* mesh-spool.c - the sink: pieces in, records into spools. */
+#include "config.h"
+#include "output/mesh-spool.h"
+#include "base/alloc.h"
+
+#include <math.h>
+#include <string.h>
+
+uint64_t il_mesh_spool_n_vertices(const il_mesh_spool *m)
+{
+    if (m->n_stacks == 0)
+        return 0;
+    const il_spooled_stack *s = &m->stack[m->n_stacks - 1];
+    return s->first_vertex + s->n_vertices;
+}
+
+uint64_t il_mesh_spool_n_triangles(const il_mesh_spool *m)
+{
+    if (m->n_stacks == 0)
+        return 0;
+    const il_spooled_stack *s = &m->stack[m->n_stacks - 1];
+    return s->first_triangle + s->n_triangles;
+}
+
+/* A frame whose axes are left-handed turns the surface inside out. */
+static bool is_left_handed(const il_stack_head *h)
+{
+    const double *a = h->frame + 3, *b = h->frame + 6, *c = h->frame + 9;
+    return h->has_frame && a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                               a[2] * (b[0] * c[1] - b[1] * c[0]) < 0;
+}
+
+static il_status begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
+{
+    il_mesh_spool *m = (il_mesh_spool *)self;
+    if (m->open)
+        return il_fail(err, IL_E_INTERNAL, 0, "a stack's mesh begins inside another");
+    il_spooled_stack s = { .first_vertex = il_mesh_spool_n_vertices(m), .first_triangle = il_mesh_spool_n_triangles(m) };
+    if (!il_grow(&m->stack, &m->cap_stacks, m->n_stacks + 1, sizeof *m->stack))
+        return il_fail_nomem(err);
+    il_status st = il_stack_head_copy(&s.head, head, err);
+    if (st != IL_OK)
+        return st;
+    s.left_handed = is_left_handed(head);
+    s.index = m->n_begun;
+    m->n_begun += m->n_begun < INT32_MAX;
+    m->stack[m->n_stacks++] = s;
+    m->open = true;
+    return IL_OK;
+}
+
+/* The stack's coordinates into the world's: o + x a + y b + z c.  For frames
+ * along the axes without offset this is exact. */
+static void place(const il_stack_head *h, const double from[3], double to[3])
+{
+    for (int i = 0; i < 3; i++) {
+        double p = from[i];
+        if (h->has_frame)
+            p = h->frame[i] + from[0] * h->frame[3 + i] + from[1] * h->frame[6 + i] + from[2] * h->frame[9 + i];
+        to[i] = p + 0.0; /* -0 becomes 0: one value, one form, whatever the input wrote */
+    }
+}
+
+static il_status spool_vertices(il_mesh_spool *m, il_spooled_stack *s, const il_mesh *piece, il_error *err)
+{
+    for (size_t i = 0; i < piece->n_vertices; i++) {
+        il_spooled_vertex v;
+        memset(&v, 0, sizeof v);
+        place(&s->head, piece->xyz + 3 * i, v.xyz);
+        v.origin = piece->origin[i];
+        if (!isfinite(v.xyz[0]) || !isfinite(v.xyz[1]) || !isfinite(v.xyz[2]))
+            return il_fail(err, IL_E_INPUT, s->head.line, "the frame of stack '%.80s' takes points beyond all numbers",
+                           il_stack_head_name(&s->head));
+        if (!s->index_known && v.origin.stack >= 0) {
+            s->index = v.origin.stack;
+            s->index_known = true;
+        }
+        il_output_write(m->vertices, &v, sizeof v);
+    }
+    s->n_vertices += piece->n_vertices;
+    return IL_OK;
+}
+
+static il_status spool_triangles(il_mesh_spool *m, il_spooled_stack *s, const il_mesh *piece, il_error *err)
+{
+    for (size_t i = 0; i < piece->n_triangles; i++) {
+        const uint32_t *v = piece->tri + 3 * i;
+        if (v[0] >= s->n_vertices || v[1] >= s->n_vertices || v[2] >= s->n_vertices)
+            return il_fail(err, IL_E_INTERNAL, 0, "a triangle of stack '%.80s' has a vertex that was never given",
+                           il_stack_head_name(&s->head));
+        il_spooled_triangle t = { { v[0], v[1], v[2] }, piece->slab };
+        if (s->left_handed)
+            t.v[1] = v[2], t.v[2] = v[1];
+        il_output_write(m->triangles, &t, sizeof t);
+    }
+    s->n_triangles += piece->n_triangles;
+    return IL_OK;
+}
+
+static il_status spool_status(const il_mesh_spool *m, il_error *err)
+{
+    il_status st = il_output_status(m->vertices, err);
+    return st == IL_OK ? il_output_status(m->triangles, err) : st;
+}
+
+static il_status piece(il_mesh_sink *self, const il_mesh *p, il_error *err)
+{
+    il_mesh_spool *m = (il_mesh_spool *)self;
+    if (!m->open)
+        return il_fail(err, IL_E_INTERNAL, 0, "a piece of mesh belongs to no stack");
+    il_spooled_stack *s = &m->stack[m->n_stacks - 1];
+    il_status st = spool_vertices(m, s, p, err);
+    if (st == IL_OK)
+        st = spool_triangles(m, s, p, err);
+    return st == IL_OK ? spool_status(m, err) : st;
+}
+
+static il_status end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *err)
+{
+    (void)facts;
+    il_mesh_spool *m = (il_mesh_spool *)self;
+    if (!m->open)
+        return il_fail(err, IL_E_INTERNAL, 0, "a stack's mesh ends that never began");
+    m->open = false;
+    return spool_status(m, err);
+}
+
+/* A spool that cannot be shortened keeps its failure, and `finish` tells it. */
+static void abandon(il_mesh_sink *self)
+{
+    il_mesh_spool *m = (il_mesh_spool *)self;
+    if (!m->open)
+        return;
+    m->open = false;
+    il_spooled_stack *s = &m->stack[--m->n_stacks];
+    il_output_rewind(m->vertices, s->first_vertex * sizeof(il_spooled_vertex), NULL);
+    il_output_rewind(m->triangles, s->first_triangle * sizeof(il_spooled_triangle), NULL);
+    il_stack_head_free(&s->head);
+}
+
+static il_status finish(il_mesh_sink *self, il_error *err)
+{
+    il_mesh_spool *m = (il_mesh_spool *)self;
+    if (m->open)
+        return il_fail(err, IL_E_INTERNAL, 0, "the mesh ends inside a stack");
+    il_status st = spool_status(m, err);
+    if (st == IL_OK)
+        st = m->write(m, m->to, &m->options, err);
+    return st == IL_OK ? il_output_status(m->to, err) : st;
+}
+
+il_status il_mesh_spool_new(il_mesh_sink **out, il_output *to, const il_write_options *o,
+                            il_mesh_format write, il_error *err)
+{
+    *out = NULL;
+    il_mesh_spool *m = il_calloc(1, sizeof *m);
+    if (!m)
+        return il_fail_nomem(err);
+    m->sink = (il_mesh_sink){ begin, piece, end, abandon, finish };
+    m->to = to;
+    if (o)
+        m->options = *o;
+    m->write = write;
+    il_status st = il_output_spool(&m->vertices, err);
+    if (st == IL_OK)
+        st = il_output_spool(&m->triangles, err);
+    if (st == IL_OK)
+        *out = &m->sink;
+    else
+        il_mesh_spool_free(&m->sink);
+    return st;
+}
+
+void il_mesh_spool_free(il_mesh_sink *s)
+{
+    if (!s)
+        return;
+    il_mesh_spool *m = (il_mesh_spool *)s;
+    for (size_t i = 0; i < m->n_stacks; i++)
+        il_stack_head_free(&m->stack[i].head);
+    il_free(m->stack);
+    il_free(m->cache);
+    il_output_discard(m->vertices);
+    il_output_discard(m->triangles);
+    il_free(m);
+}

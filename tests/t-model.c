@@ -344,7 +344,8 @@ static void a_pair_is_freed_with_all_it_holds(void **state)
     (void)state;
     il_pair p = IL_PAIR_INIT;
     assert_true(il_grow(&p.group, &p.cap_groups, 1, sizeof *p.group));
-    p.group[p.n_groups++] = (il_group){ il_alloc(2, sizeof(uint32_t)), il_alloc(1, sizeof(uint32_t)), 2, 1 };
+    p.group[p.n_groups++] = (il_group){
+        .lower = il_alloc(2, sizeof(uint32_t)), .upper = il_alloc(1, sizeof(uint32_t)), .n_lower = 2, .n_upper = 1 };
     assert_true(il_grow(&p.phi, &p.cap_phi, 3, sizeof *p.phi));
     assert_true(il_grow(&p.match, &p.cap_matches, 3, sizeof *p.match));
     assert_true(il_grow(&p.unmatched, &p.cap_unmatched, 3, sizeof *p.unmatched));

@@ -2,16 +2,25 @@
 #include "model/pair.h"
 #include "base/alloc.h"
 
+static void free_group(il_group *g)
+{
+    for (size_t i = 0; i < g->fit.n_lattices; i++)
+        il_free(g->fit.lattice[i].d);
+    il_free(g->fit.lattice);
+    il_free(g->link);
+    il_free(g->lower);
+    il_free(g->upper);
+}
+
 void il_pair_free(il_pair *p)
 {
-    for (size_t i = 0; i < p->n_groups; i++) {
-        il_free(p->group[i].lower);
-        il_free(p->group[i].upper);
-    }
+    for (size_t i = 0; i < p->n_groups; i++)
+        free_group(&p->group[i]);
     il_free(p->group);
     il_free(p->phi);
     il_free(p->match);
     il_free(p->unmatched);
+    il_free(p->insertion);
     il_extra_free(&p->extra);
     *p = (il_pair)IL_PAIR_INIT;
 }

@@ -30,41 +30,88 @@ typedef struct il_match {
     double residual_mean, residual_max;
 } il_match;
 
+/* What an arc without a partner was taken for: the seam along which a region
+ * parts, the end of a piece, the begin or end of a hole. */
 typedef enum il_event { IL_EVENT_BRANCH, IL_EVENT_CAP, IL_EVENT_HOLE } il_event;
 
-/* An arc without a partner, and what it was taken for. */
 typedef struct il_unmatched {
     bool upper;              /* whose arc it is */
     il_arc arc;
     il_event event;
 } il_unmatched;
 
+/* A point that the surface needs on a contour edge, at (x, y) in its slice's
+ * plane: near its place, for a point put between two doubles lies beside them. */
+typedef struct il_insertion {
+    bool upper;
+    il_place at;
+    double x, y;
+} il_insertion;
+
 typedef enum il_matcher { IL_MATCHER_NONE, IL_MATCHER_FFD } il_matcher;
 
 /* How a group of corresponding rings was settled: see design "attempts". */
 typedef enum il_attempt { IL_ATTEMPT_S, IL_ATTEMPT_P, IL_ATTEMPT_B, IL_N_ATTEMPTS } il_attempt;
 
-/* Rings that belong together, as indices into the two slices; owned. */
+/* Why two rings belong together: their regions overlap; they lie close; the
+ * link makes one of two parts that nothing else holds together; a hole and the
+ * ring whose outside it opens to. */
+typedef enum il_link_reason {
+    IL_LINK_OVERLAP, IL_LINK_NEAR, IL_LINK_JOIN, IL_LINK_OPENING
+} il_link_reason;
+
+/* reach: distance of the outlines as they lie, unit. */
+typedef struct il_link {
+    uint32_t lower, upper;
+    il_link_reason reason;
+    double reach;
+} il_link;
+
+/* One step of a deformation: nx by ny nodes, spacing apart, node (0, 0) at
+ * (x, y); d[2*n], n = nx * ny: the nodes' displacements, i running first. */
+typedef struct il_lattice {
+    uint32_t nx, ny;
+    double x, y, spacing;
+    double *d;               size_t n, cap;
+} il_lattice;
+
+/* How phi came out for one group.  Residuals: distance of phi(upper) from
+ * lower, and of lower from phi(upper), unit.  least_jacobian > 0 when phi is
+ * one-to-one; distortion: root mean square of the log stretch.  steps: lattice
+ * steps that phi is composed of, after the global one, which takes (x, y) to
+ * (g0 x + g1 y + g4, g2 x + g3 y + g5).  box: least x and y, greatest x and y,
+ * of the padded box in the lower plane; at its corners the inverse of phi is
+ * that of the global step.  lattice[]: the steps themselves, or none. */
+typedef struct il_fit {
+    double residual_up_mean, residual_up_max;
+    double residual_down_mean, residual_down_max;
+    double least_jacobian, distortion;
+    uint32_t steps;
+    double global[6], box[4];
+    il_lattice *lattice;     size_t n_lattices, cap_lattices;
+} il_fit;
+
+/* Rings that belong together, as indices into the two slices; owned.  fitted:
+ * fit says something (matcher FFD, rings on both sides). */
 typedef struct il_group {
     uint32_t *lower, *upper;
-    size_t n_lower, n_upper;
+    size_t n_lower, n_upper, cap_lower, cap_upper;
+    il_link *link;           size_t n_links, cap_links;
+    bool fitted;
+    il_fit fit;
 } il_group;
 
 /* matcher NONE: phi is the identity and phi[] is empty.  Otherwise phi[] has a
  * point for every vertex of the upper slice and more where an edge bends, in
  * order of place.  Rings in no group are groups of their own; no group at all
- * (n_groups 0) means that all rings form one.  distortion: root mean square of
- * the log stretch; least_jacobian > 0 when phi is one-to-one. */
+ * (n_groups 0) means that all rings form one. */
 typedef struct il_pair {
     il_matcher matcher;
     il_group *group;          size_t n_groups, cap_groups;
     il_phi_point *phi;        size_t n_phi, cap_phi;
     il_match *match;          size_t n_matches, cap_matches;
     il_unmatched *unmatched;  size_t n_unmatched, cap_unmatched;
-    double residual_up_mean, residual_up_max;      /* phi(upper) to lower, unit */
-    double residual_down_mean, residual_down_max;  /* lower to phi(upper), unit */
-    double least_jacobian, distortion;
-    uint32_t steps;
+    il_insertion *insertion;  size_t n_insertions, cap_insertions;
     long line;
     il_extra *extra;
 } il_pair;

@@ -6,6 +6,10 @@
  * positive when d lies on the side of the plane abc that its normal
  * (b - a) x (c - a) points to, and of the same determinant in the plane.  Both
  * are exact (CGAL's filtered predicates), so the answer is. */
+#ifdef NDEBUG
+#error "bridges are never built with NDEBUG: CGAL's checks are what stops a bad number"
+#endif
+#include "bridge/guard.h"
 #include "bridge/intersection.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -13,8 +17,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <exception>
-#include <new>
 #include <vector>
 
 namespace {
@@ -476,19 +478,6 @@ il_status find_intersections(const double *xyz, size_t n_vertices, const uint32_
     search.build_tree();
     search.search(0, 0);
     return IL_OK;
-}
-
-template <class F> il_status guarded(il_error *err, F &&f) noexcept
-{
-    try {
-        return f();
-    } catch (const std::bad_alloc &) {
-        return il_fail_nomem(err);
-    } catch (const CGAL::Failure_exception &e) {
-        return il_fail(err, IL_E_INTERNAL, 0, "CGAL: %.120s", e.what());
-    } catch (const std::exception &e) {
-        return il_fail(err, IL_E_INTERNAL, 0, "%.140s", e.what());
-    }
 }
 
 } // namespace

@@ -6,6 +6,7 @@
  * positive when d lies on the side of the plane abc that its normal
  * (b - a) x (c - a) points to, and of the same determinant in the plane.  Both
  * are exact (CGAL's filtered predicates), so the answer is. */
+#include "config.h"
 #include "bridge/intersection.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -76,7 +76,7 @@ static double place_along(const il_arrangement *a, uint32_t e, uint32_t p)
     const double *from = a->xy + 2 * a->edge[2 * e], *to = a->xy + 2 * a->edge[2 * e + 1];
     double dx = to[0] - from[0], dy = to[1] - from[1];
     int axis = fabs(dx) >= fabs(dy) ? 0 : 1;
-    return (axis ? dy : dx) > 0 ? a->xy[2 * p + axis] : -a->xy[2 * p + axis];
+    return (axis ? dy : dx) > 0 ? a->xy[2 * (size_t)p + (size_t)axis] : -a->xy[2 * (size_t)p + (size_t)axis];
 }
 
 static bool add_cut(cut_list *list, const il_arrangement *a, uint32_t e, uint32_t node)

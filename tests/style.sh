@@ -172,7 +172,7 @@ elif objdump -t $objects | grep -q -E "$instrumented"; then
     skip "nothing global is mutable" "the build is instrumented"
 else
     objdump -t $objects | awk '/file format/ { file = $1 }
-        { for (i = 2; i < NF; i++) if ($i ~ /^\.t?(data|bss)$/ && $(i + 1) !~ /^0+$/) print file " " $NF }' |
+        { for (i = 2; i < NF; i++) if ($i ~ /^\.t?(data|bss)(\.rel(\.local)?)?$/ && $(i + 1) !~ /^0+$/) print file " " $NF }' |
         grep -v -E '/alloc\.o: +allocations_left$' >"$found"
     none "nothing global is mutable"
 fi

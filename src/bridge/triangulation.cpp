@@ -116,10 +116,10 @@ il_status il_triangulation_export(il_triangulation *t, uint32_t **corner, uint32
             return il_fail_nomem(err);
         for (size_t i = 0; i < faces.size(); i++) {
             int k = first_corner(faces[i].second);
-            for (int j = 0; j < 3; j++) {
+            for (unsigned j = 0; j < 3; j++) {
                 (*corner)[3 * i + j] = faces[i].first[j];
                 /* CGAL numbers neighbours by the corner they do not touch */
-                (*across)[3 * i + j] = faces[i].second->neighbor((k + j + 2) % 3)->info();
+                (*across)[3 * i + j] = faces[i].second->neighbor((k + int(j) + 2) % 3)->info();
             }
         }
         *n = faces.size();

@@ -303,7 +303,8 @@ static void random_triangle(uint64_t *seed, unsigned side, vec t[3])
 {
     for (int i = 0; i < 3; i++) {
         uint64_t r = next_random(seed);
-        t[i] = V((int64_t)((r & 0xFFFF) % side), (int64_t)((r >> 16 & 0xFFFF) % side), (int64_t)((r >> 32 & 0xFFFF) % side));
+        t[i] = V((int64_t)((r & 0xFFFF) % side), (int64_t)((r >> 16 & 0xFFFF) % side),
+                 (int64_t)((r >> 32 & 0xFFFF) % side));
     }
 }
 

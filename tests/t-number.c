@@ -38,7 +38,8 @@ static void the_form_is_the_shortest(void **state)
     (void)state;
     static const struct { double d; const char *s; } c[] = {
         { 0, "0" }, { -0.0, "0" }, { 0.1, "0.1" }, { -2.5, "-2.5" }, { 1e21, "1e+21" }, { 100, "100" },
-        { 1.0 / 3, "0.3333333333333333" }, { 5e-324, "5e-324" }, { 1.7976931348623157e308, "1.7976931348623157e+308" } };
+        { 1.0 / 3, "0.3333333333333333" }, { 5e-324, "5e-324" },
+        { 1.7976931348623157e308, "1.7976931348623157e+308" } };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
         char text[IL_NUMBER_MAX];
         il_number_format(text, c[i].d);

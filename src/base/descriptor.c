@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -57,7 +58,7 @@ il_status il_fail_system(il_error *err, const char *file, const char *what, int 
 {
     char words[128];
     if (strerror_r(reason, words, sizeof words) != 0)
-        strcpy(words, "unknown reason");
+        snprintf(words, sizeof words, "error %d", reason);
     il_status st = il_fail(err, IL_E_IO, 0, "%s: %s", what, words);
     il_error_set_file(err, file);
     return st;

@@ -1,4 +1,5 @@
 /* boxes.cpp - bridge/boxes.h on CGAL's box intersection. */
+#include "config.h"
 #include "bridge/guard.h"
 #include "bridge/boxes.h"
 extern "C" {
@@ -46,7 +47,8 @@ static il_status hand_over(Pairs &found, uint32_t **pair, size_t *n_pairs, il_er
     return IL_OK;
 }
 
-template <class Search> static il_status collect(size_t limit, uint32_t **pair, size_t *n_pairs, il_error *err, Search &&search)
+template <class Search>
+static il_status collect(size_t limit, uint32_t **pair, size_t *n_pairs, il_error *err, Search &&search)
 {
     *pair = nullptr;
     *n_pairs = 0;

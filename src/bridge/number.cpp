@@ -1,4 +1,5 @@
 /* number.cpp - base/number.h on the C++ standard library's <charconv>. */
+#include "config.h"
 #include "base/number.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 /* predicates.cpp - bridge/predicates.h on CGAL's filtered kernel. */
+#include "config.h"
 #include "bridge/predicates.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -6,6 +6,7 @@
 #ifdef NDEBUG
 #error "bridges are never built with NDEBUG: CGAL's checks are what stops a bad number"
 #endif
+#include "config.h"
 #include "bridge/guard.h"
 #include "bridge/triangulation.h"
 extern "C" {
@@ -24,7 +25,8 @@ extern "C" {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Triangulation_vertex_base_with_info_2<uint32_t, Kernel> Vertex;
-typedef CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<uint32_t, Kernel>> Face;
+typedef CGAL::Triangulation_face_base_with_info_2<uint32_t, Kernel> Labelled_face;
+typedef CGAL::Constrained_triangulation_face_base_2<Kernel, Labelled_face> Face;
 typedef CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
                                                    CGAL::No_constraint_intersection_requiring_constructions_tag> Cdt;
 
@@ -99,7 +101,8 @@ il_status il_triangulation_export(il_triangulation *t, uint32_t **corner, uint32
             faces.reserve(t->cdt.number_of_faces());
             for (auto f = t->cdt.finite_faces_begin(); f != t->cdt.finite_faces_end(); ++f) {
                 int k = first_corner(f);
-                faces.push_back({ { f->vertex(k)->info(), f->vertex(Cdt::ccw(k))->info(), f->vertex(Cdt::cw(k))->info() }, f });
+                int l = Cdt::ccw(k), m = Cdt::cw(k);
+                faces.push_back({ { f->vertex(k)->info(), f->vertex(l)->info(), f->vertex(m)->info() }, f });
             }
         }
         std::sort(faces.begin(), faces.end(), [](const Entry &a, const Entry &b) { return a.first < b.first; });
@@ -113,10 +116,10 @@ il_status il_triangulation_export(il_triangulation *t, uint32_t **corner, uint32
             return il_fail_nomem(err);
         for (size_t i = 0; i < faces.size(); i++) {
             int k = first_corner(faces[i].second);
-            for (int j = 0; j < 3; j++) {
+            for (unsigned j = 0; j < 3; j++) {
                 (*corner)[3 * i + j] = faces[i].first[j];
                 /* CGAL numbers neighbours by the corner they do not touch */
-                (*across)[3 * i + j] = faces[i].second->neighbor((k + j + 2) % 3)->info();
+                (*across)[3 * i + j] = faces[i].second->neighbor((k + int(j) + 2) % 3)->info();
             }
         }
         *n = faces.size();

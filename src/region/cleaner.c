@@ -2,6 +2,7 @@
 #include "config.h"
 #include "region/clean.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 #include <math.h>
 
@@ -55,6 +56,14 @@ static il_status merge(il_slice *to, il_slice *from, il_error *err)
     return IL_OK;
 }
 
+static il_status fail_order(const il_slice *s, double below, il_error *err)
+{
+    char z[IL_NUMBER_MAX], before[IL_NUMBER_MAX];
+    il_number_format(z, s->z);
+    il_number_format(before, below);
+    return il_fail(err, IL_E_INPUT, s->line, "slices must come in rising z: %s after %s", z, before);
+}
+
 static il_status slice(il_sink *self, il_slice *s, il_error *err)
 {
     cleaner *c = (cleaner *)self;
@@ -65,7 +74,7 @@ static il_status slice(il_sink *self, il_slice *s, il_error *err)
         return merge(&c->held, s, err);
     }
     if (c->holding && s->z < c->held.z)
-        return il_fail(err, IL_E_INPUT, s->line, "slices must come in rising z: %.17g after %.17g", s->z, c->held.z);
+        return fail_order(s, c->held.z, err);
     il_status st = pass_on(c, err);
     if (st == IL_OK) {
         c->held = *s;

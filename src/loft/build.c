@@ -29,7 +29,7 @@ uint32_t il_builder_copy(il_builder *b, int side, uint32_t p)
         if (!il_grow(&out->insertion[side], &out->cap_insertions[side], n + 1, sizeof *out->insertion[side]))
             return IL_NONE;
         const double *from = s->xy + 2 * s->node_at[pass->station], *to = s->xy + 2 * s->node_at[s->next[pass->station]];
-        out->insertion[side][n] = (il_insertion){ pass->station, pass->t,
+        out->insertion[side][n] = (il_split){ pass->station, pass->t,
             { rounded(b, from[0] + pass->t * (to[0] - from[0])), rounded(b, from[1] + pass->t * (to[1] - from[1])) } };
         out->n_insertions[side]++;
         b->inserted[side][p] = (uint32_t)n;

@@ -146,7 +146,7 @@ static bool insert_stations(il_section *s, const placed *p, size_t n)
     return ok;
 }
 
-il_status il_section_insert(il_section *s, const il_insertion *p, size_t n, il_error *err)
+il_status il_section_insert(il_section *s, const il_split *p, size_t n, il_error *err)
 {
     if (n == 0)
         return IL_OK;

@@ -27,14 +27,14 @@ il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *er
 il_status il_section_copy(il_section *to, const il_section *from, il_error *err);
 
 /* A point that a slab puts on edge STATION at parameter T in (0, 1). */
-typedef struct il_insertion {
+typedef struct il_split {
     uint32_t station;
     double t;
     double xy[2];
-} il_insertion;
+} il_split;
 
 /* Insert P[0..N) into S: node k of them becomes n_nodes + k, in the order given,
  * and its edge is split at it; several on one edge go by t. */
-il_status il_section_insert(il_section *s, const il_insertion *p, size_t n, il_error *err);
+il_status il_section_insert(il_section *s, const il_split *p, size_t n, il_error *err);
 
 #endif

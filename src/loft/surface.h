@@ -18,7 +18,7 @@ enum { IL_INNER = 2 };
 typedef struct il_surface {
     uint32_t *tri;               size_t n_triangles, cap_triangles;
     double *inner;               size_t n_inner, cap_inner;
-    il_insertion *insertion[2];  size_t n_insertions[2], cap_insertions[2];
+    il_split *insertion[2];  size_t n_insertions[2], cap_insertions[2];
 } il_surface;
 
 #define IL_SURFACE_INIT { 0 }

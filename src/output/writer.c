@@ -6,7 +6,8 @@
 
 /* In the order in which --formats lists them. */
 const il_writer *const il_writers[] = {
-    &il_writer_stl, &il_writer_stl_ascii, &il_writer_obj, &il_writer_ply, &il_writer_ply_ascii, NULL };
+    &il_writer_stl, &il_writer_stl_ascii, &il_writer_obj, &il_writer_ply, &il_writer_ply_ascii,
+    &il_writer_loft, NULL };
 
 const il_writer *il_writer_named(const char *name)
 {

@@ -35,30 +35,29 @@ function slice(z,    r, s, q) {
         printf "<g data-z=\"%g\">\n", z
     else
         printf "slice %g\n", z
-    outline(r, s)
+    outline(r, s, 1)
     if (z > 31) {
         q = 0.72 + 0.80 * step(z, 30, 45)
-        outline(r - 2.6, q)
+        outline(r - 2.6, q, -1)
     }
     if (form == "svg")
         print "</g>"
 }
 
-function outline(r, s,    lobe, n, k) {
+# Counter-clockwise, or clockwise when WAY is -1: the hollow.  One ring of three
+# lobes, or three rings.
+function outline(r, s, way,    lobe, n, k) {
     n = 40
-    if (s < 1)
-        for (lobe = 0; lobe < 3; lobe++) {
+    for (lobe = 0; lobe < 3; lobe++) {
+        if (s < 1 || lobe == 0)
             ring()
-            for (k = 0; k < n; k++)
+        for (k = 0; k < n; k++)
+            if (way > 0)
                 vertex(r, s, k / n, lobe)
+            else
+                vertex(r, s, (n - 1 - k) / n, s < 1 ? lobe : 2 - lobe)
+        if (s < 1 || lobe == 2)
             close_ring()
-        }
-    else {
-        ring()
-        for (lobe = 0; lobe < 3; lobe++)
-            for (k = 0; k < n; k++)
-                vertex(r, s, k / n, lobe)
-        close_ring()
     }
 }
 

@@ -65,7 +65,7 @@ static void help_verb(il_output *out, il_verb v)
     for (const il_option *p = il_option_table; p->name; p++)
         if (p->verbs >> v & 1)
             option_line(out, p, p->help);
-    il_output_string(out, "\nEach option without a value has a --no- form; -- ends the options; - is standard input.\n");
+    il_output_string(out, "\nEvery switch has a --no- form; -- ends the options; - is standard input.\n");
 }
 
 static void list_formats(il_output *out)

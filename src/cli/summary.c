@@ -21,12 +21,13 @@ static void append(char *to, size_t size, const char *format, ...)
     va_end(args);
 }
 
-/* "3 crossings made vertices"-like words for all repairs of R; "none". */
-static void repairs_text(char *to, size_t size, const il_report *r)
+/* "3 x crossing made a vertex, ..." for the repairs of R; "none".  Roundings
+ * are the output format's, not the input's, and left out unless ALL. */
+static void repairs_text(char *to, size_t size, const il_report *r, bool all)
 {
     *to = '\0';
     for (int k = 0; k < IL_N_REPAIRS; k++)
-        if (r->repair[k] > 0)
+        if (r->repair[k] > 0 && (all || k != IL_REPAIR_ROUNDED_POINT))
             append(to, size, "%s%zu x %s", *to ? ", " : "", r->repair[k], il_repair_words((il_repair)k));
     if (!*to)
         append(to, size, "none");
@@ -94,7 +95,7 @@ static void contour_rows(il_output *out, const il_stack_account *s)
 static void report_rows(il_output *out, const il_report *r)
 {
     char text[TEXT];
-    repairs_text(text, sizeof text, r);
+    repairs_text(text, sizeof text, r, true);
     row(out, "repairs", "%s", text);
     for (size_t k = 0; k < r->n_skips && k < LINES_FEW; k++) {
         skip_text(text, sizeof text, &r->skip[k]);
@@ -175,13 +176,9 @@ static void say_report(const il_stack_account *s, const char *label, il_voice *v
     const il_report *r = &s->report;
     for (size_t k = 0; k < r->n_notes; k++)
         il_message_note(v, "%s: %s", label, r->note[k]);
-    size_t repairs = 0;
-    for (int k = 0; k < IL_N_REPAIRS; k++)
-        repairs += r->repair[k];
-    if (repairs > 0) {
-        repairs_text(text, sizeof text, r);
+    repairs_text(text, sizeof text, r, v->verbose);
+    if (strcmp(text, "none") != 0)
         il_message_note(v, "%s: %s", label, text);
-    }
     size_t shown = v->verbose ? r->n_skips : LINES_FEW;
     for (size_t k = 0; k < r->n_skips && k < shown; k++) {
         skip_text(text, sizeof text, &r->skip[k]);

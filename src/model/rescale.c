@@ -114,23 +114,50 @@ static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)
     return st == IL_OK ? r->next->slice(r->next, slice, err) : st;
 }
 
+/* phi and its parts: what is a length in a fit; ratios and angles stay. */
+static void convert_fit(const rescaler *r, il_fit *f)
+{
+    double *const lengths[] = { &f->residual_up_mean, &f->residual_up_max, &f->residual_down_mean, &f->residual_down_max,
+                                &f->global[4], &f->global[5], &f->box[0], &f->box[1], &f->box[2], &f->box[3] };
+    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++)
+        convert_length(r, lengths[k]);
+    for (size_t i = 0; i < f->n_lattices; i++) {
+        il_lattice *l = &f->lattice[i];
+        convert_length(r, &l->x);
+        convert_length(r, &l->y);
+        convert_length(r, &l->spacing);
+        for (size_t k = 0; k < 2 * l->n; k++)
+            convert_length(r, &l->d[k]);
+    }
+}
+
+static void convert_pair(const rescaler *r, il_pair *p)
+{
+    for (size_t i = 0; i < p->n_groups; i++) {
+        for (size_t k = 0; k < p->group[i].n_links; k++)
+            convert_length(r, &p->group[i].link[k].reach);
+        if (p->group[i].fitted)
+            convert_fit(r, &p->group[i].fit);
+    }
+    for (size_t k = 0; k < p->n_phi; k++) {
+        convert_length(r, &p->phi[k].x);
+        convert_length(r, &p->phi[k].y);
+    }
+    for (size_t k = 0; k < p->n_matches; k++) {
+        convert_length(r, &p->match[k].residual_mean);
+        convert_length(r, &p->match[k].residual_max);
+    }
+    for (size_t k = 0; k < p->n_insertions; k++) {
+        convert_length(r, &p->insertion[k].x);
+        convert_length(r, &p->insertion[k].y);
+    }
+}
+
 static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
 {
     rescaler *r = (rescaler *)self;
-    if (!is_identity(r)) {
-        for (size_t k = 0; k < pair->n_phi; k++) {
-            convert_length(r, &pair->phi[k].x);
-            convert_length(r, &pair->phi[k].y);
-        }
-        for (size_t k = 0; k < pair->n_matches; k++) {
-            convert_length(r, &pair->match[k].residual_mean);
-            convert_length(r, &pair->match[k].residual_max);
-        }
-        convert_length(r, &pair->residual_up_mean);
-        convert_length(r, &pair->residual_up_max);
-        convert_length(r, &pair->residual_down_mean);
-        convert_length(r, &pair->residual_down_max);
-    }
+    if (!is_identity(r))
+        convert_pair(r, pair);
     return r->next->pair(r->next, pair, err);
 }
 
@@ -138,7 +165,7 @@ static il_status on_stack_end(il_sink *self, il_error *err)
 {
     rescaler *r = (rescaler *)self;
     if (!is_identity(r))
-        il_report_note(r->report, "converted from %s to %s: %zu of %zu coordinates rounded to the nearest double",
+        il_report_note(r->report, "converted from %s to %s: %zu of %zu coordinates rounded in the last place",
                        il_unit_name(r->from), il_unit_name(r->to), r->n_rounded, r->n_values);
     return r->next->stack_end(r->next, err);
 }

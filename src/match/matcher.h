@@ -14,8 +14,9 @@ il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il
                           il_pair *out, il_error *err);
 
 /* A sink that adds the pair record where the stream brings none, and passes
- * all on to NEXT (borrowed).  Keeps one slice. */
+ * all on to NEXT (borrowed).  Keeps copies of two slices.  A pair that stands
+ * anywhere but right after its upper slice is IL_E_INPUT. */
 il_status il_matcher_new(il_sink **out, const il_match_options *o, il_sink *next, il_error *err);
-void il_matcher_free(il_sink *s);
+void il_matcher_free(il_sink *s); /* null is fine */
 
 #endif

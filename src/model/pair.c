@@ -24,3 +24,8 @@ void il_pair_free(il_pair *p)
     il_extra_free(&p->extra);
     *p = (il_pair)IL_PAIR_INIT;
 }
+
+bool il_pair_names_rings(const il_pair *p)
+{
+    return p->n_groups + p->n_phi + p->n_matches + p->n_unmatched + p->n_insertions > 0;
+}

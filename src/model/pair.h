@@ -119,4 +119,7 @@ typedef struct il_pair {
 #define IL_PAIR_INIT { 0 }
 void il_pair_free(il_pair *p);
 
+/* Does P name rings or places?  If not, it holds for any two slices. */
+bool il_pair_names_rings(const il_pair *p);
+
 #endif

@@ -26,8 +26,8 @@ il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *repo
 
 /* A sink that cleans each slice and passes all on to NEXT (borrowed).  Slices
  * must come in rising z: equal heights are merged into one slice, and a falling
- * one is IL_E_INPUT.  A pair after a slice that needed repair is IL_E_INPUT:
- * its indices would mean other vertices. */
+ * one is IL_E_INPUT.  A pair that names rings of a slice that needed
+ * repair is IL_E_INPUT: its indices would mean other vertices. */
 il_status il_cleaner_new(il_sink **out, const il_clean_options *o, il_sink *next,
                          il_report *report, il_error *err);
 void il_cleaner_free(il_sink *s);

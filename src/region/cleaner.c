@@ -88,7 +88,7 @@ static il_status pair(il_sink *self, il_pair *p, il_error *err)
 {
     cleaner *c = (cleaner *)self;
     il_status st = pass_on(c, err);
-    if (st == IL_OK && (c->changed || c->before_changed))
+    if (st == IL_OK && (c->changed || c->before_changed) && il_pair_names_rings(p))
         st = il_fail(err, IL_E_INPUT, p->line,
                      "this pair speaks of slices that are not clean: run isoloft read on the contours, then match");
     return st == IL_OK ? c->next->pair(c->next, p, err) : st;

@@ -1,0 +1,330 @@
+#include "config.h"
+#include "cli/account.h"
+#include "base/alloc.h"
+#include "base/text.h"
+#include "cli/progress.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Beyond this many usual spacings two slices are said to have a gap. */
+static const double GAP_SPACINGS = 2.5;
+
+static il_stack_account *current(il_account *a)
+{
+    return &a->stack[a->n - 1];
+}
+
+static void stack_account_free(il_stack_account *s)
+{
+    il_free(s->name);
+    il_free(s->file);
+    il_free(s->error);
+    il_free(s->gap);
+    il_report_free(&s->report);
+}
+
+/* ---- a record is opened -------------------------------------------------- */
+
+static il_status open_record(il_account *a, const il_stack_head *head, il_error *err)
+{
+    if (!il_grow(&a->stack, &a->cap, a->n + 1, sizeof *a->stack))
+        return il_fail_nomem(err);
+    const char *name = il_stack_head_name(head);
+    il_stack_account s = { .has_number = head->has_number, .has_color = head->has_color, .number = head->number,
+                           .unit = head->unit, .box = { INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY },
+                           .report = IL_REPORT_INIT };
+    memcpy(s.color, head->color, sizeof s.color);
+    s.name = il_strndup(name, strlen(name));
+    if (!s.name)
+        return il_fail_nomem(err);
+    a->stack[a->n++] = s;
+    a->in_stack = true;
+    a->skipping = false;
+    return IL_OK;
+}
+
+static void widen(double box[6], double x, double y, double z)
+{
+    const double p[3] = { x, y, z };
+    for (int k = 0; k < 3; k++) {
+        box[k] = fmin(box[k], p[k]);
+        box[k + 3] = fmax(box[k + 3], p[k]);
+    }
+}
+
+static il_status count_slice(il_account *a, const il_slice *slice, il_error *err)
+{
+    il_stack_account *s = current(a);
+    if (!il_grow(&a->z, &a->cap_z, s->slices + 1, sizeof *a->z))
+        return il_fail_nomem(err);
+    a->z[s->slices++] = slice->z;
+    s->rings += slice->n;
+    for (size_t i = 0; i < slice->n; i++) {
+        const il_ring *r = &slice->ring[i];
+        s->points += r->n;
+        for (size_t k = 0; k < r->n; k++)
+            widen(s->box, r->xy[2 * k], r->xy[2 * k + 1], slice->z);
+    }
+    return IL_OK;
+}
+
+/* ---- a record is closed -------------------------------------------------- */
+
+static int compare_doubles(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Least, median and largest distance of neighbouring slices, then the gaps. */
+static bool measure_spacing(il_account *a)
+{
+    il_stack_account *s = current(a);
+    if (s->slices < 2)
+        return true;
+    size_t n = s->slices - 1;
+    double *d = il_alloc(n, sizeof *d);
+    if (!d)
+        return false;
+    for (size_t k = 0; k < n; k++)
+        d[k] = a->z[k + 1] - a->z[k];
+    qsort(d, n, sizeof *d, compare_doubles);
+    s->least_spacing = d[0];
+    s->usual_spacing = n % 2 ? d[n / 2] : (d[n / 2 - 1] + d[n / 2]) / 2;
+    s->largest_spacing = d[n - 1];
+    il_free(d);
+    for (size_t k = 0; k < n; k++) {
+        if (!(a->z[k + 1] - a->z[k] > GAP_SPACINGS * s->usual_spacing))
+            continue;
+        if (!il_grow(&s->gap, &s->cap_gaps, s->n_gaps + 1, sizeof *s->gap))
+            return false;
+        s->gap[s->n_gaps++] = (il_gap){ a->z[k], a->z[k + 1] };
+    }
+    return true;
+}
+
+/* Rounding cleans again what is clean: what it finds is new, but for the
+ * pinches, which it finds again. */
+static void merge_rounding(il_report *r, il_report *rounding)
+{
+    for (int k = 0; k < IL_N_REPAIRS; k++) {
+        size_t n = rounding->repair[k];
+        r->repair[k] = k == IL_REPAIR_PINCH ? (n > r->repair[k] ? n : r->repair[k]) : r->repair[k] + n;
+    }
+    r->largest_move = fmax(r->largest_move, rounding->largest_move);
+    il_report_free(rounding);
+}
+
+static il_status close_record(il_account *a, il_error *err)
+{
+    il_stack_account *s = current(a);
+    a->in_stack = a->in_mesh = a->skipping = false;
+    merge_rounding(&a->report, &a->rounding);
+    s->report = a->report;
+    a->report = (il_report)IL_REPORT_INIT;
+    const char *file = s->status == IL_OK && a->options.file_of ? a->options.file_of(a->options.file_of_self) : NULL;
+    if (file && !(s->file = il_strndup(file, strlen(file))))
+        return il_fail_nomem(err);
+    return measure_spacing(a) ? IL_OK : il_fail_nomem(err);
+}
+
+static void fail_record(il_account *a, il_status st, const il_error *err)
+{
+    il_stack_account *s = current(a);
+    char text[sizeof err->text + sizeof err->path + sizeof err->file + 32];
+    il_error_message(err, text, sizeof text);
+    s->status = st;
+    s->has_mesh = false;
+    s->error = il_strndup(text, strlen(text));
+    if (st > a->worst)
+        a->worst = st;
+}
+
+/* What a stage behind the tap answered.  A stack that has no surface, or is
+ * not as strict asks, is told and dropped where the others shall go on. */
+static il_status settle(il_account *a, il_status st, il_error *err)
+{
+    if (st == IL_OK)
+        return st;
+    il_error_set_file(err, a->options.input);
+    if (!a->options.keep_going || (st != IL_E_SURFACE && st != IL_E_INPUT))
+        return st;
+    fail_record(a, st, err);
+    il_message_error(a->options.voice, err);
+    il_error_clear(err);
+    a->skipping = true;
+    return IL_OK;
+}
+
+static il_status check_strict(const il_account *a, il_error *err)
+{
+    if (!a->options.strict || !il_report_any(&a->report))
+        return IL_OK;
+    size_t repairs = 0;
+    for (int k = 0; k < IL_N_REPAIRS; k++)
+        repairs += a->report.repair[k];
+    return il_fail(err, IL_E_INPUT, 0, "stack '%.80s': %zu repairs and %zu skipped parts, which --strict refuses",
+                   a->stack[a->n - 1].name, repairs, a->report.n_skipped);
+}
+
+/* ---- the tap among the contours ------------------------------------------ */
+
+static il_account *of_contours(il_sink *self)
+{
+    return (il_account *)(void *)((char *)self - offsetof(il_account, contours));
+}
+
+static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
+{
+    il_account *a = of_contours(self);
+    il_status st = open_record(a, head, err);
+    return st == IL_OK ? settle(a, a->next->stack_begin(a->next, head, err), err) : st;
+}
+
+static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)
+{
+    il_account *a = of_contours(self);
+    il_status st = count_slice(a, slice, err);
+    if (st != IL_OK || a->skipping)
+        return st;
+    il_progress_show(a->options.voice, current(a)->name, current(a)->slices, 0);
+    return settle(a, a->next->slice(a->next, slice, err), err);
+}
+
+static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
+{
+    il_account *a = of_contours(self);
+    return a->skipping ? IL_OK : settle(a, a->next->pair(a->next, pair, err), err);
+}
+
+static il_status on_stack_end(il_sink *self, il_error *err)
+{
+    il_account *a = of_contours(self);
+    if (!a->skipping) {
+        il_status st = a->next_mesh ? IL_OK : check_strict(a, err);
+        if (st == IL_OK)
+            st = a->next->stack_end(a->next, err);
+        st = settle(a, st, err);
+        if (st != IL_OK)
+            return st;
+    }
+    return close_record(a, err);
+}
+
+static il_status on_end(il_sink *self, il_error *err)
+{
+    il_account *a = of_contours(self);
+    if (a->n == 0 && !a->options.empty_allowed)
+        return il_fail(err, IL_E_INPUT, 0, "there are no contours, so there is nothing to write");
+    return a->next->end(a->next, err);
+}
+
+/* ---- the tap among the meshes -------------------------------------------- */
+
+static il_account *of_meshes(il_mesh_sink *self)
+{
+    return (il_account *)(void *)((char *)self - offsetof(il_account, meshes));
+}
+
+static il_status on_mesh_begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
+{
+    il_account *a = of_meshes(self);
+    a->in_mesh = true;
+    return a->next_mesh->begin(a->next_mesh, head, err);
+}
+
+static il_status on_mesh_piece(il_mesh_sink *self, const il_mesh *piece, il_error *err)
+{
+    il_account *a = of_meshes(self);
+    return a->next_mesh->piece(a->next_mesh, piece, err);
+}
+
+/* The writer is told once that a stack is given up, whoever says so first. */
+static void on_mesh_abandon(il_mesh_sink *self)
+{
+    il_account *a = of_meshes(self);
+    if (a->in_mesh)
+        a->next_mesh->abandon(a->next_mesh);
+    a->in_mesh = false;
+}
+
+static il_status on_mesh_end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *err)
+{
+    il_account *a = of_meshes(self);
+    il_status st = check_strict(a, err);
+    if (st != IL_OK) {
+        on_mesh_abandon(self);
+        return st;
+    }
+    st = a->next_mesh->end(a->next_mesh, facts, err);
+    a->in_mesh = false;
+    if (st == IL_OK && a->in_stack) {
+        current(a)->facts = *facts;
+        current(a)->has_mesh = true;
+        a->n_triangles += facts->triangles;
+    }
+    return st;
+}
+
+static il_status on_mesh_finish(il_mesh_sink *self, il_error *err)
+{
+    il_account *a = of_meshes(self);
+    if (a->n_triangles == 0 && a->worst == IL_OK)
+        return il_fail(err, IL_E_INPUT, 0, "the contours bound no solid, so there is nothing to write");
+    return a->next_mesh->finish(a->next_mesh, err);
+}
+
+/* ---- the account --------------------------------------------------------- */
+
+void il_account_init(il_account *a, const il_account_options *o)
+{
+    *a = (il_account){ .contours = { on_stack_begin, on_slice, on_pair, on_stack_end, on_end },
+                       .meshes = { on_mesh_begin, on_mesh_piece, on_mesh_end, on_mesh_abandon, on_mesh_finish },
+                       .options = *o, .report = IL_REPORT_INIT, .rounding = IL_REPORT_INIT };
+}
+
+void il_account_free(il_account *a)
+{
+    for (size_t k = 0; k < a->n; k++)
+        stack_account_free(&a->stack[k]);
+    il_free(a->stack);
+    il_free(a->z);
+    il_report_free(&a->report);
+    il_report_free(&a->rounding);
+    a->stack = NULL;
+    a->z = NULL;
+    a->n = a->cap = a->cap_z = 0;
+}
+
+il_sink *il_account_contours(il_account *a, il_sink *next)
+{
+    a->next = next;
+    return &a->contours;
+}
+
+il_mesh_sink *il_account_meshes(il_account *a, il_mesh_sink *next)
+{
+    a->next_mesh = next;
+    return &a->meshes;
+}
+
+void il_account_close(il_account *a, il_status st, const il_error *err)
+{
+    if (st > a->worst)
+        a->worst = st;
+    if (!a->in_stack)
+        return;
+    if (!current(a)->error)
+        fail_record(a, st, err);
+    il_error ignored = IL_ERROR_INIT;
+    close_record(a, &ignored);
+}
+
+void il_account_progress(void *self, size_t slabs_done)
+{
+    il_account *a = self;
+    if (a->in_stack)
+        il_progress_show(a->options.voice, current(a)->name, current(a)->slices, slabs_done);
+}

@@ -1,0 +1,81 @@
+/* account.h - what became of each stack, collected while it passes by.
+ *
+ * Two taps in the pipeline, one among the contours right before the last stage
+ * and one among the meshes right behind the lofter, fill one record a stack. */
+#ifndef IL_CLI_ACCOUNT_H
+#define IL_CLI_ACCOUNT_H
+
+#include "cli/message.h"
+#include "model/mesh.h"
+#include "model/report.h"
+#include "model/sink.h"
+
+/* Two neighbouring slices much farther apart than is usual in their stack. */
+typedef struct il_gap { double below, above; } il_gap;
+
+/* Lengths in the stack's unit.  name: UTF-8 as the input has it.  least, usual
+ * (the median) and largest spacing: 0 with fewer than two slices.  box: least
+ * x, y, z and greatest x, y, z; least > greatest when there is no vertex.
+ * has_mesh: facts were given, so the surface is certified.  file: what it was
+ * written to in a folder, or null.  error: one line, null unless it failed. */
+typedef struct il_stack_account {
+    char *name, *file, *error;
+    bool has_number, has_color, has_mesh;
+    long number;
+    unsigned char color[3];
+    il_unit unit;
+    size_t slices, rings, points;
+    double box[6];
+    double least_spacing, usual_spacing, largest_spacing;
+    il_gap *gap;        size_t n_gaps, cap_gaps;
+    il_report report;
+    il_mesh_facts facts;
+    il_status status;
+} il_stack_account;
+
+/* keep_going: a stack without a surface does not end the run.  strict: a stack
+ * that was repaired, or that something of was skipped, fails.  empty_allowed: a
+ * run without any stack is no failure.  input: the name for errors that know
+ * none, null when there are several.  file_of: names the file of the stack that
+ * has just ended, null when there is none. */
+typedef struct il_account_options {
+    bool keep_going, strict, empty_allowed;
+    const char *input;
+    il_voice *voice;
+    const char *(*file_of)(void *self);
+    void *file_of_self;
+} il_account_options;
+
+/* report: for all stages to count into; what is in it goes to the stack that
+ * ends next.  rounding: that of the stage that rounds for STL, which cleans what
+ * is clean already.  z: the heights of the current stack.  skipping: it has failed, and what
+ * still comes of it is dropped.
+ * worst: the highest code of any stack. */
+typedef struct il_account {
+    il_sink contours;
+    il_mesh_sink meshes;
+    il_sink *next;
+    il_mesh_sink *next_mesh;
+    il_account_options options;
+    il_report report, rounding;
+    il_stack_account *stack;    size_t n, cap;
+    double *z;                  size_t cap_z;
+    bool in_stack, in_mesh, skipping;
+    size_t n_triangles;
+    il_status worst;
+} il_account;
+
+void il_account_init(il_account *a, const il_account_options *o);
+void il_account_free(il_account *a);
+
+/* The taps, in front of NEXT (borrowed). */
+il_sink *il_account_contours(il_account *a, il_sink *next);
+il_mesh_sink *il_account_meshes(il_account *a, il_mesh_sink *next);
+
+/* The run is over with ST: a stack that is still open failed with it. */
+void il_account_close(il_account *a, il_status st, const il_error *err);
+
+/* For the lofter's progress callback; SELF is the account. */
+void il_account_progress(void *self, size_t slabs_done);
+
+#endif

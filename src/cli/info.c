@@ -1,0 +1,29 @@
+/* info.c - what is in the input, and what comes out of it; nothing is written. */
+#include "config.h"
+#include "cli/command.h"
+#include "cli/summary.h"
+
+static il_status print_table(const il_result *r, il_error *err)
+{
+    il_output *out = NULL;
+    il_status st = il_output_open(&out, "-", err);
+    if (st != IL_OK)
+        return st;
+    il_summary_text(r, out);
+    return il_output_commit(out, err);
+}
+
+il_status il_command_info(const il_options *o, il_voice *v, il_error *err)
+{
+    il_plan plan = { .match = true, .loft = true, .survey = true };
+    il_result result;
+    il_status st = il_pipeline_run(&result, o, &plan, v, err);
+    if (err->code != IL_OK)
+        il_message_error(v, err);
+    il_error_clear(err);
+    il_status table = o->json && !o->json_path ? IL_OK : print_table(&result, err);
+    if (table == IL_OK)
+        table = il_command_put_account(o, true, &result, v, err);
+    il_account_free(&result.account);
+    return table == IL_OK ? st : table;
+}

@@ -1,0 +1,307 @@
+#include "config.h"
+#include "cli/pipeline.h"
+#include "base/alloc.h"
+#include "base/threads.h"
+#include "cli/destination.h"
+#include "cli/index.h"
+#include "cli/progress.h"
+#include "cli/select.h"
+#include "match/matcher.h"
+#include "model/rescale.h"
+#include "model/tee.h"
+#include "region/clean.h"
+
+#include <string.h>
+#include <sys/resource.h>
+
+/* Everything that has to be closed again.  first: the stage the reader calls. */
+typedef struct pipeline {
+    const il_options *options;
+    const il_plan *plan;
+    il_account *account;
+    il_source **source;
+    size_t n_sources;
+    const il_reader *reader;
+    il_destination *destination;
+    il_output *pairs;
+    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *cleaner, *rescaler, *select, *first;
+    il_mesh_sink nowhere;
+} pipeline;
+
+/* ---- input --------------------------------------------------------------- */
+
+/* Each input is open from the start, for the reader takes them as one set. */
+static void allow_open_files(size_t n)
+{
+    struct rlimit limit;
+    if (n < 200 || getrlimit(RLIMIT_NOFILE, &limit) != 0)
+        return;
+    limit.rlim_cur = limit.rlim_max;
+    setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+static il_status open_sources(pipeline *p, il_error *err)
+{
+    static const char *const standard_input[] = { "-" };
+    const il_options *o = p->options;
+    const char *const *name = o->n_inputs > 0 ? o->input : standard_input;
+    size_t n = o->n_inputs > 0 ? o->n_inputs : 1;
+    p->source = il_calloc(n, sizeof *p->source);
+    if (!p->source)
+        return il_fail_nomem(err);
+    allow_open_files(n);
+    for (; p->n_sources < n; p->n_sources++) {
+        il_status st = il_source_open(&p->source[p->n_sources], name[p->n_sources], err);
+        if (st != IL_OK)
+            return st;
+    }
+    return IL_OK;
+}
+
+static il_status find_reader(pipeline *p, il_error *err)
+{
+    p->reader = p->options->from;
+    for (size_t k = 0; k < p->n_sources && !p->options->from; k++) {
+        const il_reader *r = NULL;
+        il_status st = il_reader_detect(p->source[k], &r, err);
+        if (st == IL_OK && p->reader && r != p->reader)
+            st = il_fail(err, IL_E_INPUT, 0, "is %s, and '%.100s' is %s: a run takes inputs of one format",
+                         r->name, il_source_name(p->source[0]), p->reader->name);
+        if (st != IL_OK) {
+            il_error_set_file(err, il_source_name(p->source[k]));
+            return st;
+        }
+        p->reader = r;
+    }
+    if (p->plan->native_only && p->reader != &il_reader_loft) {
+        il_fail(err, IL_E_INPUT, 0, "is %s; '%s' takes the native format, which 'isoloft read' makes of it",
+                p->reader->name, il_verb_name(p->options->verb));
+        il_error_set_file(err, il_source_name(p->source[0]));
+        return IL_E_INPUT;
+    }
+    return IL_OK;
+}
+
+/* ---- output -------------------------------------------------------------- */
+
+static il_status nowhere_begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
+{
+    (void)self;
+    (void)head;
+    (void)err;
+    return IL_OK;
+}
+
+static il_status nowhere_piece(il_mesh_sink *self, const il_mesh *piece, il_error *err)
+{
+    (void)self;
+    (void)piece;
+    (void)err;
+    return IL_OK;
+}
+
+static il_status nowhere_end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *err)
+{
+    (void)self;
+    (void)facts;
+    (void)err;
+    return IL_OK;
+}
+
+static void nowhere_abandon(il_mesh_sink *self)
+{
+    (void)self;
+}
+
+static il_status nowhere_finish(il_mesh_sink *self, il_error *err)
+{
+    (void)self;
+    (void)err;
+    return IL_OK;
+}
+
+static const char *const comments[] = { "made by isoloft " PACKAGE_VERSION, NULL };
+
+static il_status open_outputs(pipeline *p, il_error *err)
+{
+    const il_options *o = p->options;
+    if (p->plan->survey) {
+        p->nowhere = (il_mesh_sink){ nowhere_begin, nowhere_piece, nowhere_end, nowhere_abandon, nowhere_finish };
+        return IL_OK;
+    }
+    il_write_options w = { comments };
+    il_status st = il_destination_open(&p->destination, o->output, o->to, &w, err);
+    if (st == IL_OK) {
+        p->account->options.file_of = il_destination_take_file;
+        p->account->options.file_of_self = p->destination;
+    }
+    if (st == IL_OK && o->pairs)
+        st = il_output_open(&p->pairs, o->pairs, err);
+    if (st == IL_OK && p->pairs)
+        st = il_writer_loft.contours_new(&p->pairs_writer, p->pairs, err);
+    return st;
+}
+
+/* ---- the stages, last to first ------------------------------------------- */
+
+static il_status build_end(pipeline *p, il_sink **end, il_error *err)
+{
+    if (!p->plan->loft) {
+        *end = il_destination_contours(p->destination);
+        return IL_OK;
+    }
+    const il_options *o = p->options;
+    il_loft_options l = IL_LOFT_OPTIONS_INIT;
+    l.threads = o->threads > 0 ? o->threads : il_threads_available();
+    if (l.threads > IL_THREADS_MOST)
+        l.threads = IL_THREADS_MOST;
+    l.cap = o->cap;
+    l.round_float = o->to && o->to->round_float;
+    l.progress = il_account_progress;
+    l.progress_self = p->account;
+    il_mesh_sink *meshes = p->plan->survey ? &p->nowhere : il_destination_meshes(p->destination);
+    il_status st = il_lofter_new(&p->lofter, &l, il_account_meshes(p->account, meshes), &p->account->report, err);
+    *end = p->lofter;
+    return st;
+}
+
+static il_status build_rounder(pipeline *p, il_error *err)
+{
+    if (!p->plan->loft || !p->options->to || !p->options->to->round_float)
+        return IL_OK;
+    il_clean_options c = { .round_float = true };
+    il_status st = il_cleaner_new(&p->rounder, &c, p->first, &p->account->rounding, err);
+    p->first = st == IL_OK ? p->rounder : p->first;
+    return st;
+}
+
+static il_status build_tee(pipeline *p, il_error *err)
+{
+    if (!p->pairs_writer)
+        return IL_OK;
+    il_status st = il_tee_new(&p->tee, p->pairs_writer, p->first, err);
+    p->first = st == IL_OK ? p->tee : p->first;
+    return st;
+}
+
+static il_status build_matcher(pipeline *p, il_error *err)
+{
+    if (!p->plan->match)
+        return IL_OK;
+    il_match_options m = { p->options->matcher };
+    il_status st = il_matcher_new(&p->matcher, &m, p->first, err);
+    p->first = st == IL_OK ? p->matcher : p->first;
+    return st;
+}
+
+static il_status build_cleaner(pipeline *p, il_error *err)
+{
+    il_clean_options c = { .round_float = false };
+    il_status st = il_cleaner_new(&p->cleaner, &c, p->first, &p->account->report, err);
+    p->first = st == IL_OK ? p->cleaner : p->first;
+    return st;
+}
+
+static il_status build_rescaler(pipeline *p, il_error *err)
+{
+    if (!p->options->convert_unit)
+        return IL_OK;
+    il_status st = il_rescaler_new(&p->rescaler, p->options->to_unit, p->first, &p->account->report, err);
+    p->first = st == IL_OK ? p->rescaler : p->first;
+    return st;
+}
+
+static il_status build_select(pipeline *p, il_error *err)
+{
+    if (!p->options->stack)
+        return IL_OK;
+    il_status st = il_select_new(&p->select, p->options->stack, p->first, err);
+    p->first = st == IL_OK ? p->select : p->first;
+    return st;
+}
+
+static il_status build_stages(pipeline *p, il_error *err)
+{
+    static il_status (*const builders[])(pipeline *, il_error *) = {
+        build_rounder, build_tee, build_matcher, build_cleaner, build_rescaler, build_select };
+    il_sink *end = NULL;
+    il_status st = build_end(p, &end, err);
+    p->first = il_account_contours(p->account, end);
+    for (size_t k = 0; k < sizeof builders / sizeof *builders && st == IL_OK; k++)
+        st = builders[k](p, err);
+    return st;
+}
+
+static void free_pipeline(pipeline *p)
+{
+    il_select_free(p->select);
+    il_rescaler_free(p->rescaler);
+    if (p->cleaner)
+        il_cleaner_free(p->cleaner);
+    il_matcher_free(p->matcher);
+    il_tee_free(p->tee);
+    if (p->rounder)
+        il_cleaner_free(p->rounder);
+    if (p->lofter)
+        il_lofter_free(p->lofter);
+    if (p->pairs_writer)
+        il_writer_loft.contours_free(p->pairs_writer);
+    il_output_discard(p->pairs);
+    il_destination_free(p->destination);
+    for (size_t k = 0; k < p->n_sources; k++)
+        il_source_close(p->source[k]);
+    il_free(p->source);
+}
+
+/* ---- the run ------------------------------------------------------------- */
+
+static il_status commit(pipeline *p, il_error *err)
+{
+    if (!p->destination)
+        return IL_OK;
+    il_status st = il_destination_commit(p->destination, err);
+    if (st == IL_OK && p->pairs) {
+        il_output *pairs = p->pairs;
+        p->pairs = NULL;
+        st = il_output_commit(pairs, err);
+    }
+    return st;
+}
+
+static il_status run(pipeline *p, il_error *err)
+{
+    il_status st = open_sources(p, err);
+    if (st == IL_OK)
+        st = find_reader(p, err);
+    if (st == IL_OK)
+        st = open_outputs(p, err);
+    /* A native stream without stacks is whole, and is handed on as one. */
+    p->account->options.empty_allowed = p->plan->survey || (p->reader == &il_reader_loft && !p->plan->loft);
+    if (st == IL_OK)
+        st = build_stages(p, err);
+    if (st == IL_OK)
+        st = p->reader->read(p->source, p->n_sources, &p->options->read, p->first, &p->account->report, err);
+    if (st != IL_OK)
+        il_error_set_file(err, p->account->options.input);
+    return st == IL_OK ? commit(p, err) : st;
+}
+
+il_status il_pipeline_run(il_result *result, const il_options *o, const il_plan *plan, il_voice *voice, il_error *err)
+{
+    double start = il_clock_seconds();
+    pipeline p = { .options = o, .plan = plan, .account = &result->account };
+    bool folder = o->output && il_destination_is_folder(o->output);
+    il_account_options a = { .keep_going = plan->survey || folder, .strict = o->strict, .voice = voice,
+                             .input = o->n_inputs == 0 ? "-" : o->n_inputs == 1 ? o->input[0] : NULL };
+    il_account_init(&result->account, &a);
+    il_status st = run(&p, err);
+    il_account_close(&result->account, st, err);
+    if (p.destination && il_destination_folder(p.destination)) {
+        il_status index = il_index_write(il_destination_folder(p.destination), &result->account, err);
+        st = st == IL_OK ? index : st;
+    }
+    free_pipeline(&p);
+    il_progress_clear(voice);
+    result->seconds = il_clock_seconds() - start;
+    return st == IL_OK ? result->account.worst : st;
+}

@@ -1,0 +1,149 @@
+/* summary-json.c - the account of a run for programs (formats/summary.schema.json). */
+#include "config.h"
+#include "cli/summary.h"
+#include "cli/json.h"
+
+#include <sys/resource.h>
+
+static void put_count(il_json *j, const char *key, size_t n)
+{
+    il_json_key(j, key);
+    il_json_integer(j, (long long)n);
+}
+
+static void put_number(il_json *j, const char *key, double value)
+{
+    il_json_key(j, key);
+    il_json_number(j, value);
+}
+
+static void put_skipped(il_json *j, const il_report *r)
+{
+    il_json_key(j, "skipped");
+    il_json_open(j, '[');
+    for (size_t k = 0; k < r->n_skips; k++) {
+        const il_skip *s = &r->skip[k];
+        il_json_open(j, '{');
+        il_json_key(j, "file");
+        il_json_string(j, s->file);
+        il_json_key(j, "line");
+        s->line > 0 ? il_json_integer(j, s->line) : il_json_null(j);
+        il_json_key(j, "what");
+        il_json_string(j, s->what);
+        il_json_key(j, "why");
+        il_json_string(j, s->why);
+        put_count(j, "count", s->count);
+        il_json_close(j, '}');
+    }
+    il_json_close(j, ']');
+}
+
+static void put_report(il_json *j, const il_report *r)
+{
+    put_skipped(j, r);
+    put_count(j, "skipped_total", r->n_skipped);
+    il_json_key(j, "repairs");
+    il_json_open(j, '{');
+    for (int k = 0; k < IL_N_REPAIRS; k++)
+        put_count(j, il_repair_key((il_repair)k), r->repair[k]);
+    il_json_close(j, '}');
+    put_number(j, "largest_move", r->largest_move);
+    il_json_key(j, "notes");
+    il_json_open(j, '[');
+    for (size_t k = 0; k < r->n_notes; k++)
+        il_json_string(j, r->note[k]);
+    il_json_close(j, ']');
+}
+
+static void put_heights(il_json *j, const il_stack_account *s)
+{
+    bool any = s->box[2] <= s->box[5];
+    il_json_key(j, "z");
+    il_json_open(j, '[');
+    for (int k = 2; k < 6 && any; k += 3)
+        il_json_number(j, s->box[k]);
+    il_json_close(j, ']');
+    il_json_key(j, "spacing");
+    il_json_open(j, '{');
+    put_number(j, "least", s->least_spacing);
+    put_number(j, "usual", s->usual_spacing);
+    put_number(j, "largest", s->largest_spacing);
+    il_json_close(j, '}');
+    il_json_key(j, "gaps");
+    il_json_open(j, '[');
+    for (size_t k = 0; k < s->n_gaps; k++) {
+        il_json_open(j, '{');
+        put_number(j, "from", s->gap[k].below);
+        put_number(j, "to", s->gap[k].above);
+        il_json_close(j, '}');
+    }
+    il_json_close(j, ']');
+}
+
+/* Null where no surface was made. */
+static void put_mesh(il_json *j, const il_stack_account *s)
+{
+    static const char *const keys[] = { "vertices", "triangles", "components", "genus" };
+    static const char *const attempts[IL_N_ATTEMPTS] = { "S", "P", "B" };
+    const il_mesh_facts *f = &s->facts;
+    const long long values[] = { (long long)f->vertices, (long long)f->triangles, f->components, f->genus };
+    il_json_key(j, "slabs");
+    il_json_open(j, '{');
+    for (int k = 0; k < IL_N_ATTEMPTS; k++)
+        put_count(j, attempts[k], s->has_mesh ? f->slabs_by[k] : 0);
+    il_json_close(j, '}');
+    for (int k = 0; k < 4; k++) {
+        il_json_key(j, keys[k]);
+        s->has_mesh ? il_json_integer(j, values[k]) : il_json_null(j);
+    }
+    il_json_key(j, "volume");
+    s->has_mesh ? il_json_number(j, f->volume) : il_json_null(j);
+    il_json_key(j, "area");
+    s->has_mesh ? il_json_number(j, f->area) : il_json_null(j);
+    il_json_key(j, "certified");
+    il_json_bool(j, s->has_mesh);
+}
+
+static void put_stack(il_json *j, const il_stack_account *s)
+{
+    il_json_open(j, '{');
+    il_json_key(j, "name");
+    il_json_string(j, s->name);
+    il_json_key(j, "number");
+    s->has_number ? il_json_integer(j, s->number) : il_json_null(j);
+    il_json_key(j, "unit");
+    il_json_string(j, il_unit_name(s->unit));
+    put_count(j, "slices", s->slices);
+    put_count(j, "rings", s->rings);
+    put_count(j, "points", s->points);
+    put_heights(j, s);
+    put_report(j, &s->report);
+    put_mesh(j, s);
+    il_json_key(j, "file");
+    il_json_string(j, s->file);
+    il_json_key(j, "status");
+    il_json_integer(j, s->status);
+    il_json_key(j, "error");
+    il_json_string(j, s->error);
+    il_json_close(j, '}');
+}
+
+void il_summary_json(const il_result *r, il_output *out)
+{
+    struct rusage usage;
+    il_json j = { out, false };
+    il_json_open(&j, '{');
+    il_json_key(&j, "stacks");
+    il_json_open(&j, '[');
+    for (size_t k = 0; k < r->account.n; k++)
+        put_stack(&j, &r->account.stack[k]);
+    il_json_close(&j, ']');
+    put_number(&j, "seconds", r->seconds);
+    il_json_key(&j, "peak_bytes");
+    if (getrusage(RUSAGE_SELF, &usage) == 0)
+        il_json_integer(&j, 1024LL * usage.ru_maxrss); /* kibibytes on Linux and the BSDs */
+    else
+        il_json_null(&j);
+    il_json_close(&j, '}');
+    il_output_char(out, '\n');
+}

@@ -1,0 +1,216 @@
+/* summary.c - the account of a run for people. */
+#include "config.h"
+#include "cli/summary.h"
+#include "base/number.h"
+#include "base/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { TEXT = 400, LINES_FEW = 10 };
+
+/* Append to TO[SIZE], as much as fits. */
+static void append(char *to, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static void append(char *to, size_t size, const char *format, ...)
+{
+    size_t n = strlen(to);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(to + n, size - n, format, args);
+    va_end(args);
+}
+
+/* "3 x crossing made a vertex, ..." for the repairs of R; "none".  Roundings
+ * are the output format's, not the input's, and left out unless ALL. */
+static void repairs_text(char *to, size_t size, const il_report *r, bool all)
+{
+    *to = '\0';
+    for (int k = 0; k < IL_N_REPAIRS; k++)
+        if (r->repair[k] > 0 && (all || k != IL_REPAIR_ROUNDED_POINT))
+            append(to, size, "%s%zu x %s", *to ? ", " : "", r->repair[k], il_repair_words((il_repair)k));
+    if (!*to)
+        append(to, size, "none");
+}
+
+static void skip_text(char *to, size_t size, const il_skip *s)
+{
+    *to = '\0';
+    append(to, size, "%s", s->file);
+    if (s->line > 0)
+        append(to, size, ":%ld", s->line);
+    append(to, size, "%s%s: %s", *to ? ": " : "", s->what, s->why);
+    if (s->count > 1)
+        append(to, size, " (%zu times)", s->count);
+}
+
+static const char *stack_label(const il_stack_account *s, size_t index, char *to, size_t size)
+{
+    char name[120];
+    il_text_printable(name, sizeof name, s->name, strlen(s->name));
+    if (*name)
+        snprintf(to, size, "stack '%s'", name);
+    else
+        snprintf(to, size, "stack %zu", index + 1);
+    return to;
+}
+
+/* ---- the table ----------------------------------------------------------- */
+
+static void row(il_output *out, const char *key, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static void row(il_output *out, const char *key, const char *format, ...)
+{
+    char line[TEXT + 40], text[TEXT];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    snprintf(line, sizeof line, "  %-10s %s\n", key, text);
+    il_output_string(out, line);
+}
+
+static void contour_rows(il_output *out, const il_stack_account *s)
+{
+    const char *unit = il_unit_name(s->unit);
+    if (s->box[2] <= s->box[5]) {
+        char low[IL_NUMBER_MAX], high[IL_NUMBER_MAX];
+        il_number_format(low, s->box[2]);
+        il_number_format(high, s->box[5]);
+        row(out, "slices", "%zu, z from %s to %s %s", s->slices, low, high, unit);
+        row(out, "size", "%.6g x %.6g x %.6g %s", s->box[3] - s->box[0], s->box[4] - s->box[1], s->box[5] - s->box[2], unit);
+    } else {
+        row(out, "slices", "%zu, all empty", s->slices);
+    }
+    if (s->slices > 1)
+        row(out, "spacing", "%.6g %s (least %.6g, largest %.6g)", s->usual_spacing, unit,
+            s->least_spacing, s->largest_spacing);
+    for (size_t k = 0; k < s->n_gaps && k < LINES_FEW; k++)
+        row(out, "gap", "z from %.9g to %.9g %s", s->gap[k].below, s->gap[k].above, unit);
+    if (s->n_gaps > LINES_FEW)
+        row(out, "gap", "and %zu more", s->n_gaps - LINES_FEW);
+    row(out, "rings", "%zu", s->rings);
+    row(out, "points", "%zu", s->points);
+}
+
+static void report_rows(il_output *out, const il_report *r)
+{
+    char text[TEXT];
+    repairs_text(text, sizeof text, r, true);
+    row(out, "repairs", "%s", text);
+    for (size_t k = 0; k < r->n_skips && k < LINES_FEW; k++) {
+        skip_text(text, sizeof text, &r->skip[k]);
+        row(out, "skipped", "%s", text);
+    }
+    if (r->n_skipped == 0)
+        row(out, "skipped", "nothing");
+    else
+        row(out, "skipped", "%zu in all", r->n_skipped);
+    for (size_t k = 0; k < r->n_notes; k++)
+        row(out, "note", "%s", r->note[k]);
+}
+
+static void mesh_rows(il_output *out, const il_stack_account *s)
+{
+    const il_mesh_facts *f = &s->facts;
+    const char *unit = il_unit_name(s->unit);
+    if (!s->has_mesh) {
+        row(out, "surface", "%s", s->error ? s->error : "none");
+        return;
+    }
+    row(out, "surface", "certified; %zu vertices, %zu triangles", f->vertices, f->triangles);
+    row(out, "components", "%ld, genus %ld", f->components, f->genus);
+    if (f->pinches > 0)
+        row(out, "pinches", "%zu, where the input touches itself", f->pinches);
+    row(out, "area", "%.6g %s^2", f->area, unit);
+    row(out, "volume", "%.6g %s^3", f->volume, unit);
+}
+
+static bool boxes_overlap(const double a[6], const double b[6])
+{
+    for (int k = 0; k < 3; k++)
+        if (!(a[k] <= b[k + 3] && b[k] <= a[k + 3]))
+            return false;
+    return true;
+}
+
+/* A surface is certified for its stack alone; stacks may run into each other.
+ * Beyond this many, comparing all with all would be felt. */
+enum { STACKS_COMPARED = 2000 };
+
+static void overlap_row(il_output *out, const il_account *a)
+{
+    size_t n = a->n < STACKS_COMPARED ? a->n : STACKS_COMPARED, pairs = 0;
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = i + 1; k < n; k++)
+            pairs += boxes_overlap(a->stack[i].box, a->stack[k].box);
+    if (pairs == 0)
+        return;
+    char line[TEXT];
+    snprintf(line, sizeof line, "%zu pair%s of stacks may overlap: their boxes do, and each surface is certified by itself\n",
+             pairs, pairs == 1 ? "" : "s");
+    il_output_string(out, line);
+}
+
+void il_summary_text(const il_result *r, il_output *out)
+{
+    const il_account *a = &r->account;
+    char label[160], line[200];
+    for (size_t k = 0; k < a->n; k++) {
+        const il_stack_account *s = &a->stack[k];
+        snprintf(line, sizeof line, "%s\n", stack_label(s, k, label, sizeof label));
+        il_output_string(out, line);
+        if (s->has_number)
+            row(out, "number", "%ld", s->number);
+        contour_rows(out, s);
+        report_rows(out, &s->report);
+        mesh_rows(out, s);
+    }
+    overlap_row(out, a);
+}
+
+/* ---- on standard error --------------------------------------------------- */
+
+static void say_report(const il_stack_account *s, const char *label, il_voice *v)
+{
+    char text[TEXT];
+    const il_report *r = &s->report;
+    for (size_t k = 0; k < r->n_notes; k++)
+        il_message_note(v, "%s: %s", label, r->note[k]);
+    repairs_text(text, sizeof text, r, v->verbose);
+    if (strcmp(text, "none") != 0)
+        il_message_note(v, "%s: %s", label, text);
+    size_t shown = v->verbose ? r->n_skips : LINES_FEW;
+    for (size_t k = 0; k < r->n_skips && k < shown; k++) {
+        skip_text(text, sizeof text, &r->skip[k]);
+        il_message_note(v, "skipped: %s", text);
+    }
+    if (r->n_skips > shown)
+        il_message_note(v, "skipped: %zu parts in all (-v lists more)", r->n_skipped);
+    if (s->n_gaps > 0)
+        il_message_note(v, "%s: %zu gap%s wider than 2.5 usual spacings, the first from z %.9g to %.9g", label, s->n_gaps,
+                        s->n_gaps == 1 ? "" : "s", s->gap[0].below, s->gap[0].above);
+}
+
+static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
+{
+    const il_mesh_facts *f = &s->facts;
+    const char *unit = il_unit_name(s->unit);
+    il_message_detail(v, "%s: %zu slices, %zu rings, %zu points", label, s->slices, s->rings, s->points);
+    if (s->has_mesh)
+        il_message_detail(v, "%s: %zu vertices, %zu triangles; %ld components, genus %ld; area %.6g %s^2, volume %.6g %s^3; certified",
+                          label, f->vertices, f->triangles, f->components, f->genus, f->area, unit, f->volume, unit);
+    if (s->file)
+        il_message_detail(v, "%s: written to %s", label, s->file);
+}
+
+void il_summary_say(const il_result *r, il_voice *v)
+{
+    const il_account *a = &r->account;
+    for (size_t k = 0; k < a->n; k++) {
+        char label[160];
+        stack_label(&a->stack[k], k, label, sizeof label);
+        say_report(&a->stack[k], label, v);
+        say_stack(&a->stack[k], label, v);
+    }
+    il_message_detail(v, "%.2f seconds", r->seconds);
+}

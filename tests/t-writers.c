@@ -161,13 +161,35 @@ static void obj_on_a_stream_has_these_bytes(void **state)
                 "g Left_ear\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
 
+/* The tetrahedron with its last two triangles in the next slab. */
+static il_output *two_slabs_as(const il_writer *w)
+{
+    il_output *o;
+    il_mesh_sink *s = started(w, &o);
+    il_stack_head h = head_called("Left ear");
+    set_color(&h, 255, 128, 0);
+    double xyz[12] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+    il_origin origin[4] = { { 0, 0, 0, 0 }, { 0, 0, 0, 1 }, { 0, 0, 0, 2 }, { -1, 1, -1, -1 } };
+    uint32_t tri[12] = { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3 };
+    il_mesh one = { .xyz = xyz, .n_vertices = 4, .origin = origin, .tri = tri, .n_triangles = 2, .slab = 0 };
+    il_mesh two = { .tri = tri + 6, .n_triangles = 2, .slab = 1 };
+    assert_int_equal(s->begin(s, &h, NULL), IL_OK);
+    assert_int_equal(s->piece(s, &one, NULL), IL_OK);
+    assert_int_equal(s->piece(s, &two, NULL), IL_OK);
+    assert_int_equal(s->end(s, &no_facts, NULL), IL_OK);
+    il_stack_head_free(&h);
+    finished(w, s, o);
+    return o;
+}
+
 #define PLY_HEADER(encoding) \
     "ply\nformat " encoding " 1.0\ncomment isoloft\n" \
     "comment stack 0 vertices 4 triangles 4 unit mm color 255 128 0 name Left ear\n" \
     "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n" \
     "property uchar red\nproperty uchar green\nproperty uchar blue\n" \
     "property int stack\nproperty int slice\nproperty int ring\nproperty int vertex\n" \
-    "element face 4\nproperty list uchar int vertex_indices\nproperty int slab\nend_header\n"
+    "element face 4\nproperty list uchar int vertex_indices\n" \
+    "element face_origin 4\nproperty int slab\nend_header\n"
 
 static void binary_ply_has_these_bytes(void **state)
 {
@@ -176,21 +198,21 @@ static void binary_ply_has_these_bytes(void **state)
         "000000000000000000000000000000000000000000000000ff8000000000000000000000000000000000000000000000"
         "00f03f00000000000000000000000000000000ff80000000000000000000000000000100000000000000000000000000"
         "00000000f03f0000000000000000ff800000000000000000000000000002000000000000000000000000000000000000"
-        "00000000000000f03fff8000ffffffff01000000ffffffffffffffff0300000000020000000100000000000000030000"
-        "000001000000030000000000000003000000000300000002000000000000000301000000020000000300000000000000";
+        "00000000000000f03fff8000ffffffff01000000ffffffffffffffff0300000000020000000100000003000000000100"
+        "000003000000030000000003000000020000000301000000020000000300000000000000000000000100000001000000";
     unsigned char expected[1000] = PLY_HEADER("binary_little_endian");
     size_t n = strlen((const char *)expected);
     n += from_hex(expected + n, hex);
-    assert_bytes(tetrahedron_as(&il_writer_ply), expected, n);
+    assert_bytes(two_slabs_as(&il_writer_ply), expected, n);
 }
 
 static void ascii_ply_has_these_bytes(void **state)
 {
     (void)state;
-    assert_text(tetrahedron_as(&il_writer_ply_ascii),
+    assert_text(two_slabs_as(&il_writer_ply_ascii),
                 PLY_HEADER("ascii")
                 "0 0 0 255 128 0 0 0 0 0\n1 0 0 255 128 0 0 0 0 1\n0 1 0 255 128 0 0 0 0 2\n0 0 1 255 128 0 -1 1 -1 -1\n"
-                "3 0 2 1 0\n3 0 1 3 0\n3 0 3 2 0\n3 1 2 3 0\n");
+                "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n0\n0\n1\n1\n");
 }
 
 /* ---- reading back --------------------------------------------------------- */
@@ -255,13 +277,13 @@ static void read_binary_ply(const unsigned char *p, size_t n, soup *m)
     size_t vertices, triangles, size = strstr(head, "\nproperty uchar red") ? 43 : 40;
     assert_int_equal(sscanf(strstr(head, "\nelement vertex"), "\nelement vertex %zu", &vertices), 1);
     assert_int_equal(sscanf(strstr(head, "\nelement face"), "\nelement face %zu", &triangles), 1);
-    assert_int_equal(n, (size_t)(end - head) + size * vertices + 17 * triangles);
+    assert_int_equal(n, (size_t)(end - head) + size * vertices + 13 * triangles + 4 * triangles);
     soup_make(m, vertices, triangles);
     p = (const unsigned char *)end;
     for (size_t v = 0; v < vertices; v++, p += size)
         for (size_t i = 0; i < 3; i++)
             m->xyz[3 * v + i] = f64_at(p + 8 * i);
-    for (size_t t = 0; t < triangles; t++, p += 17)
+    for (size_t t = 0; t < triangles; t++, p += 13)
         for (size_t i = 0; i < 3; i++)
             m->corner[3 * t + i] = u32_at(p + 1 + 4 * i);
 }
@@ -605,7 +627,7 @@ static void hostile_names_break_no_format(void **state)
     static const char *const stl[] = { "solid ", "facet normal ", "outer loop\n", "vertex ", "endloop\n", "endfacet\n", "endsolid " };
     static const char *const obj[] = { "# ", "o ", "g ", "v ", "f " };
     static const char *const ply[] = { "ply\n", "format ", "comment ", "element ", "property ", "end_header\n",
-                                       "0 ", "1 ", "3 " };
+                                       "0 ", "1 ", "3 ", "0\n" };
     for (size_t i = 0; i < N_WRITERS; i++) {
         const il_writer *w = mesh_writers[i];
         il_output *o;

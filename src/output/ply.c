@@ -3,9 +3,11 @@
  * Vertex properties: double x y z; uchar red green blue when any stack of the
  * file has a colour (the others are light grey then); int stack slice ring
  * vertex, the vertex of the input, -1 where isoloft inserted one (slice is then
- * the plane it lies in, or -1).  Face properties: the corners, int slab (the
- * lower slice of the slab).  Stacks follow one another; comments tell which
- * vertices and triangles are whose. */
+ * the plane it lies in, or -1).  Faces: the corners.  An element of its own,
+ * face_origin, has for each face in the same order int slab, the lower slice of
+ * its slab: small readers that do not skip a face's other properties exist, and
+ * all leave elements behind the faces alone.  Stacks follow one another;
+ * comments tell which vertices and triangles are whose. */
 #include "config.h"
 #include "output/mesh-spool.h"
 #include "output/names.h"
@@ -51,7 +53,9 @@ static void write_header(const il_mesh_spool *m, il_output *to, const il_write_o
         il_output_string(to, "property uchar red\nproperty uchar green\nproperty uchar blue\n");
     il_output_string(to, "property int stack\nproperty int slice\nproperty int ring\nproperty int vertex\n");
     write_element(to, "face", il_mesh_spool_n_triangles(m));
-    il_output_string(to, "property list uchar int vertex_indices\nproperty int slab\nend_header\n");
+    il_output_string(to, "property list uchar int vertex_indices\n");
+    write_element(to, "face_origin", il_mesh_spool_n_triangles(m));
+    il_output_string(to, "property int slab\nend_header\n");
 }
 
 static unsigned char color_of(const il_spooled_stack *s, int i)
@@ -83,6 +87,13 @@ static il_status write_binary_face(void *self, const il_spooled_triangle *t, il_
     il_output_char(w->to, 3);
     for (int k = 0; k < 3; k++)
         il_output_u32le(w->to, (uint32_t)(w->stack->first_vertex + t->v[k]));
+    return IL_OK;
+}
+
+static il_status write_binary_slab(void *self, const il_spooled_triangle *t, il_error *err)
+{
+    (void)err;
+    ply_writer *w = self;
     il_output_u32le(w->to, (uint32_t)t->slab);
     return IL_OK;
 }
@@ -120,7 +131,15 @@ static il_status write_ascii_face(void *self, const il_spooled_triangle *t, il_e
     il_output_char(w->to, '3');
     for (int k = 0; k < 3; k++)
         write_word(w->to, (long long)(w->stack->first_vertex + t->v[k]));
-    write_word(w->to, t->slab);
+    il_output_char(w->to, '\n');
+    return IL_OK;
+}
+
+static il_status write_ascii_slab(void *self, const il_spooled_triangle *t, il_error *err)
+{
+    (void)err;
+    ply_writer *w = self;
+    il_output_integer(w->to, t->slab);
     il_output_char(w->to, '\n');
     return IL_OK;
 }
@@ -144,6 +163,8 @@ static il_status write_ply(il_mesh_spool *m, il_output *to, const il_write_optio
         w.stack = &m->stack[k];
         st = il_mesh_spool_each_triangle(m, k, &w, binary ? write_binary_face : write_ascii_face, err);
     }
+    for (size_t k = 0; k < m->n_stacks && st == IL_OK; k++)
+        st = il_mesh_spool_each_triangle(m, k, &w, binary ? write_binary_slab : write_ascii_slab, err);
     return st;
 }
 

@@ -189,7 +189,7 @@ static void curves_stay_within_the_tolerance(void **state)
             double error = cubic_error(&c[i], &s.ring[0]);
             if (!(error <= flatness * (1 + 1e-9) + 1e-12))
                 fail_msg("%s: %g > %g", d, error, flatness);
-            assert_true(s.ring[0].n < 2 + 14 / sqrt(flatness)); /* and does not waste points */
+            assert_true((double)s.ring[0].n < 2 + 14 / sqrt(flatness)); /* and does not waste points */
             assert_true(s.ring[0].xy[2 * s.ring[0].n - 2] == p[6]);
             assert_true(s.ring[0].xy[2 * s.ring[0].n - 1] == p[7]);
             il_slice_free(&s);

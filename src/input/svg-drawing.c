@@ -326,14 +326,8 @@ static il_status add_to_title(il_svg_drawing *d, char c, il_error *err)
 il_status il_svg_drawing_text(il_svg_drawing *d, const char *s, size_t n, il_error *err)
 {
     il_status st = IL_OK;
-    for (size_t i = 0; i < n && st == IL_OK; i++) {
-        if (d->in_title)
-            st = add_to_title(d, s[i], err);
-        else if (il_svg_drawing_depth(d) > 0)
-            break;
-        else if (!il_svg_is_blank(s[i]))
-            st = il_fail(err, IL_E_INPUT, 0, "text outside all elements: this is no SVG");
-    }
+    for (size_t i = 0; i < n && d->in_title && st == IL_OK; i++)
+        st = add_to_title(d, s[i], err);
     return st;
 }
 

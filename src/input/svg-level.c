@@ -145,7 +145,7 @@ il_svg_level_kind il_svg_level_of_name(const char *s, size_t n, bool bare, doubl
     il_svg_level_kind best = IL_SVG_LEVEL_NONE;
     if (n > LONGEST_NAME)
         return best;
-    if (bare && il_number_parse(s, n, value) == n && fabs(*value) < IL_SVG_COORDINATE_LIMIT)
+    if (bare && n > 0 && il_number_parse(s, n, value) == n && fabs(*value) < IL_SVG_COORDINATE_LIMIT)
         return IL_SVG_LEVEL_HEIGHT;
     for (size_t i = 0; i < n && best != IL_SVG_LEVEL_HEIGHT; i++) {
         double v;

@@ -50,14 +50,14 @@ il_status il_svg_pen_put(il_svg_pen *p, double x, double y, il_error *err)
 void il_svg_pen_end(il_svg_pen *p)
 {
     il_ring *r = p->ring;
-    if (!r)
+    p->ring = NULL;
+    if (!r || r->n == 0) /* 0: there was no memory for its start */
         return;
     size_t last = r->n - 1;
     bool meets = last > 0 && r->xy[0] == r->xy[2 * last] && r->xy[1] == r->xy[2 * last + 1];
     if (meets)
         r->n = last;
     r->open = !meets;
-    p->ring = NULL;
 }
 
 void il_svg_pen_close(il_svg_pen *p)

@@ -183,7 +183,9 @@ static il_status draw_round_rect(job *j, const box *b)
     il_svg_arc arc = { b->rx, b->ry, 0, false, true };
     il_status st = il_svg_pen_move(j->pen, x[1], y[0], j->err);
     for (int i = 0; i < 4 && st == IL_OK; i++) {
-        st = il_svg_pen_line(j->pen, from[i][0], from[i][1], j->err);
+        bool has_side = i % 2 == 0 ? x[1] < x[2] : y[1] < y[2];
+        if (has_side)
+            st = il_svg_pen_line(j->pen, from[i][0], from[i][1], j->err);
         if (st == IL_OK)
             st = il_svg_pen_arc(j->pen, from[i][0], from[i][1], &arc, to[i][0], to[i][1], j->err);
     }

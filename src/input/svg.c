@@ -161,6 +161,20 @@ static void push_line_ends(driver *d, long n)
         push(d, "\n", 1);
 }
 
+/* Text outside all elements is no SVG, and would be lost. */
+static il_status check_outside(const driver *d)
+{
+    const il_svg_token *t = &d->token;
+    bool is_text = t->kind == IL_SVG_TOKEN_TEXT || (t->kind == IL_SVG_TOKEN_TAG && t->s[1] == '!');
+    long line = t->line;
+    for (size_t i = 0; is_text && d->depth == 0 && i < t->n; i++) {
+        line += t->s[i] == '\n' ? 1 : 0;
+        if (!il_svg_is_blank(t->s[i]))
+            return il_fail(d->err, IL_E_INPUT, line, "text outside all elements: this is no SVG");
+    }
+    return IL_OK;
+}
+
 /* Whatever stands first in the file, our element opens before it, but after
  * the XML declaration, which tells the encoding. */
 static void push_token(driver *d, bool *opened)
@@ -183,10 +197,9 @@ static il_status read_tokens(driver *d)
         il_status st = il_svg_feed_next(&d->feed, &d->token, d->err);
         if (st != IL_OK)
             return st;
-        if (d->token.kind == IL_SVG_TOKEN_END) {
-            push(d, "</" WRAPPER, strlen("</" WRAPPER)); /* so that text before it is handed over */
+        if (d->token.kind == IL_SVG_TOKEN_END)
             break;
-        }
+        stop(d, check_outside(d));
         push_token(d, &opened);
     }
     return d->status == IL_OK ? il_svg_drawing_end_file(d->drawing, d->err) : d->status;

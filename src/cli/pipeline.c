@@ -129,7 +129,7 @@ static il_status open_outputs(pipeline *p, il_error *err)
         p->nowhere = (il_mesh_sink){ nowhere_begin, nowhere_piece, nowhere_end, nowhere_abandon, nowhere_finish };
         return IL_OK;
     }
-    il_write_options w = { comments };
+    il_write_options w = { comments, o->groups_by_slab };
     il_status st = il_destination_open(&p->destination, o->output, o->to, &w, err);
     if (st == IL_OK) {
         p->account->options.file_of = il_destination_take_file;
@@ -160,7 +160,7 @@ static il_status build_end(pipeline *p, il_sink **end, il_error *err)
     l.progress = il_account_progress;
     l.progress_self = p->account;
     il_mesh_sink *meshes = p->plan->survey ? &p->nowhere : il_destination_meshes(p->destination);
-    il_status st = il_lofter_new(&p->lofter, &l, il_account_meshes(p->account, meshes), &p->account->report, err);
+    il_status st = il_lofter_new(&p->lofter, &l, il_account_meshes(p->account, meshes), err);
     *end = p->lofter;
     return st;
 }

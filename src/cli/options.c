@@ -288,7 +288,7 @@ const il_option il_option_table[] = {
       NULL, "how slices are matched; none is the identity", set_matcher },
     { 0, "groups", "stack|slab", IL_OPTION_VALUE, CONVERT | MESH,
       NULL, "OBJ: a group for each stack (default) or slab", set_groups },
-    { 0, "strict", NULL, IL_OPTION_SWITCH, ALL,
+    { 0, "strict", NULL, IL_OPTION_SWITCH, STREAMS,
       "fail (3) where input was repaired or skipped", "fail (3) where input was repaired or skipped", set_strict },
     { 0, "max-line", "BYTES", IL_OPTION_VALUE, READERS | MATCH | MESH | CHECK,
       NULL, "longest line that is read (default: 67108864)", set_max_line },

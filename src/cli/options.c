@@ -156,6 +156,15 @@ static il_status set_cap(il_options *o, const char *value, bool on, il_error *er
     return IL_OK;
 }
 
+static il_status set_groups(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    if (strcmp(value, "stack") != 0 && strcmp(value, "slab") != 0)
+        return il_fail(err, IL_E_USAGE, 0, "--groups is stack or slab, not '%.40s'", value);
+    o->groups_by_slab = strcmp(value, "slab") == 0;
+    return IL_OK;
+}
+
 static il_status set_matcher(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
@@ -277,7 +286,9 @@ const il_option il_option_table[] = {
       "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
     { 0, "matcher", "none", IL_OPTION_VALUE, LOFTERS | MATCH,
       NULL, "how slices are matched; none is the identity", set_matcher },
-    { 0, "strict", NULL, IL_OPTION_SWITCH, ALL,
+    { 0, "groups", "stack|slab", IL_OPTION_VALUE, CONVERT | MESH,
+      NULL, "OBJ: a group for each stack (default) or slab", set_groups },
+    { 0, "strict", NULL, IL_OPTION_SWITCH, STREAMS,
       "fail (3) where input was repaired or skipped", "fail (3) where input was repaired or skipped", set_strict },
     { 0, "max-line", "BYTES", IL_OPTION_VALUE, READERS | MATCH | MESH | CHECK,
       NULL, "longest line that is read (default: 67108864)", set_max_line },

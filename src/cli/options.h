@@ -37,7 +37,7 @@ typedef struct il_options {
     const il_reader *from;
     const il_writer *to;
     const char *output, *pairs, *json_path, *stack;
-    bool json, quiet, verbose, strict, convert_unit;
+    bool json, quiet, verbose, strict, convert_unit, groups_by_slab;
     il_unit to_unit;
     il_read_options read;
     il_cap cap;

@@ -1,7 +1,6 @@
 /* summary-json.c - the account of a run for programs (formats/summary.schema.json). */
 #include "config.h"
 #include "cli/summary.h"
-#include "cli/json.h"
 
 #include <sys/resource.h>
 
@@ -128,22 +127,32 @@ static void put_stack(il_json *j, const il_stack_account *s)
     il_json_close(j, '}');
 }
 
-void il_summary_json(const il_result *r, il_output *out)
+void il_summary_json_stacks(il_json *j, const il_result *r)
+{
+    il_json_key(j, "stacks");
+    il_json_open(j, '[');
+    for (size_t k = 0; k < r->account.n; k++)
+        put_stack(j, &r->account.stack[k]);
+    il_json_close(j, ']');
+}
+
+void il_summary_json_cost(il_json *j, double seconds)
 {
     struct rusage usage;
+    put_number(j, "seconds", seconds);
+    il_json_key(j, "peak_bytes");
+    if (getrusage(RUSAGE_SELF, &usage) == 0)
+        il_json_integer(j, 1024LL * usage.ru_maxrss); /* kibibytes on Linux and the BSDs */
+    else
+        il_json_null(j);
+}
+
+void il_summary_json(const il_result *r, il_output *out)
+{
     il_json j = { out, false };
     il_json_open(&j, '{');
-    il_json_key(&j, "stacks");
-    il_json_open(&j, '[');
-    for (size_t k = 0; k < r->account.n; k++)
-        put_stack(&j, &r->account.stack[k]);
-    il_json_close(&j, ']');
-    put_number(&j, "seconds", r->seconds);
-    il_json_key(&j, "peak_bytes");
-    if (getrusage(RUSAGE_SELF, &usage) == 0)
-        il_json_integer(&j, 1024LL * usage.ru_maxrss); /* kibibytes on Linux and the BSDs */
-    else
-        il_json_null(&j);
+    il_summary_json_stacks(&j, r);
+    il_summary_json_cost(&j, r->seconds);
     il_json_close(&j, '}');
     il_output_char(out, '\n');
 }

@@ -3,6 +3,7 @@
 #include "cli/summary.h"
 #include "base/number.h"
 #include "base/text.h"
+#include "cli/table.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -57,18 +58,6 @@ static const char *stack_label(const il_stack_account *s, size_t index, char *to
 
 /* ---- the table ----------------------------------------------------------- */
 
-static void row(il_output *out, const char *key, const char *format, ...) __attribute__((format(printf, 3, 4)));
-static void row(il_output *out, const char *key, const char *format, ...)
-{
-    char line[TEXT + 40], text[TEXT];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    snprintf(line, sizeof line, "  %-10s %s\n", key, text);
-    il_output_string(out, line);
-}
-
 static void contour_rows(il_output *out, const il_stack_account *s)
 {
     const char *unit = il_unit_name(s->unit);
@@ -76,37 +65,37 @@ static void contour_rows(il_output *out, const il_stack_account *s)
         char low[IL_NUMBER_MAX], high[IL_NUMBER_MAX];
         il_number_format(low, s->box[2]);
         il_number_format(high, s->box[5]);
-        row(out, "slices", "%zu, z from %s to %s %s", s->slices, low, high, unit);
-        row(out, "size", "%.6g x %.6g x %.6g %s", s->box[3] - s->box[0], s->box[4] - s->box[1], s->box[5] - s->box[2], unit);
+        il_table_row(out, "slices", "%zu, z from %s to %s %s", s->slices, low, high, unit);
+        il_table_row(out, "size", "%.6g x %.6g x %.6g %s", s->box[3] - s->box[0], s->box[4] - s->box[1], s->box[5] - s->box[2], unit);
     } else {
-        row(out, "slices", "%zu, all empty", s->slices);
+        il_table_row(out, "slices", "%zu, all empty", s->slices);
     }
     if (s->slices > 1)
-        row(out, "spacing", "%.6g %s (least %.6g, largest %.6g)", s->usual_spacing, unit,
+        il_table_row(out, "spacing", "%.6g %s (least %.6g, largest %.6g)", s->usual_spacing, unit,
             s->least_spacing, s->largest_spacing);
     for (size_t k = 0; k < s->n_gaps && k < LINES_FEW; k++)
-        row(out, "gap", "z from %.9g to %.9g %s", s->gap[k].below, s->gap[k].above, unit);
+        il_table_row(out, "gap", "z from %.9g to %.9g %s", s->gap[k].below, s->gap[k].above, unit);
     if (s->n_gaps > LINES_FEW)
-        row(out, "gap", "and %zu more", s->n_gaps - LINES_FEW);
-    row(out, "rings", "%zu", s->rings);
-    row(out, "points", "%zu", s->points);
+        il_table_row(out, "gap", "and %zu more", s->n_gaps - LINES_FEW);
+    il_table_row(out, "rings", "%zu", s->rings);
+    il_table_row(out, "points", "%zu", s->points);
 }
 
 static void report_rows(il_output *out, const il_report *r)
 {
     char text[TEXT];
     repairs_text(text, sizeof text, r, true);
-    row(out, "repairs", "%s", text);
+    il_table_row(out, "repairs", "%s", text);
     for (size_t k = 0; k < r->n_skips && k < LINES_FEW; k++) {
         skip_text(text, sizeof text, &r->skip[k]);
-        row(out, "skipped", "%s", text);
+        il_table_row(out, "skipped", "%s", text);
     }
     if (r->n_skipped == 0)
-        row(out, "skipped", "nothing");
+        il_table_row(out, "skipped", "nothing");
     else
-        row(out, "skipped", "%zu in all", r->n_skipped);
+        il_table_row(out, "skipped", "%zu in all", r->n_skipped);
     for (size_t k = 0; k < r->n_notes; k++)
-        row(out, "note", "%s", r->note[k]);
+        il_table_row(out, "note", "%s", r->note[k]);
 }
 
 static void mesh_rows(il_output *out, const il_stack_account *s)
@@ -114,15 +103,15 @@ static void mesh_rows(il_output *out, const il_stack_account *s)
     const il_mesh_facts *f = &s->facts;
     const char *unit = il_unit_name(s->unit);
     if (!s->has_mesh) {
-        row(out, "surface", "%s", s->error ? s->error : "none");
+        il_table_row(out, "surface", "%s", s->error ? s->error : "none");
         return;
     }
-    row(out, "surface", "certified; %zu vertices, %zu triangles", f->vertices, f->triangles);
-    row(out, "components", "%ld, genus %ld", f->components, f->genus);
+    il_table_row(out, "surface", "certified; %zu vertices, %zu triangles", f->vertices, f->triangles);
+    il_table_row(out, "components", "%ld, genus %ld", f->components, f->genus);
     if (f->pinches > 0)
-        row(out, "pinches", "%zu, where the input touches itself", f->pinches);
-    row(out, "area", "%.6g %s^2", f->area, unit);
-    row(out, "volume", "%.6g %s^3", f->volume, unit);
+        il_table_row(out, "pinches", "%zu, where the input touches itself", f->pinches);
+    il_table_row(out, "area", "%.6g %s^2", f->area, unit);
+    il_table_row(out, "volume", "%.6g %s^3", f->volume, unit);
 }
 
 static bool boxes_overlap(const double a[6], const double b[6])
@@ -145,27 +134,34 @@ static void overlap_row(il_output *out, const il_account *a)
             pairs += boxes_overlap(a->stack[i].box, a->stack[k].box);
     if (pairs == 0)
         return;
-    char line[TEXT];
-    snprintf(line, sizeof line, "%zu pair%s of stacks may overlap: their boxes do, and each surface is certified by itself\n",
-             pairs, pairs == 1 ? "" : "s");
-    il_output_string(out, line);
+    il_table_heading(out, "%zu pair%s of stacks may overlap: their boxes do, and each surface is certified by itself",
+                     pairs, pairs == 1 ? "" : "s");
+}
+
+static void stack_rows(il_output *out, const il_account *a, bool surface)
+{
+    for (size_t k = 0; k < a->n; k++) {
+        const il_stack_account *s = &a->stack[k];
+        char label[160];
+        il_table_heading(out, "%s", stack_label(s, k, label, sizeof label));
+        if (s->has_number)
+            il_table_row(out, "number", "%ld", s->number);
+        contour_rows(out, s);
+        report_rows(out, &s->report);
+        if (surface)
+            mesh_rows(out, s);
+    }
 }
 
 void il_summary_text(const il_result *r, il_output *out)
 {
-    const il_account *a = &r->account;
-    char label[160], line[200];
-    for (size_t k = 0; k < a->n; k++) {
-        const il_stack_account *s = &a->stack[k];
-        snprintf(line, sizeof line, "%s\n", stack_label(s, k, label, sizeof label));
-        il_output_string(out, line);
-        if (s->has_number)
-            row(out, "number", "%ld", s->number);
-        contour_rows(out, s);
-        report_rows(out, &s->report);
-        mesh_rows(out, s);
-    }
-    overlap_row(out, a);
+    stack_rows(out, &r->account, true);
+    overlap_row(out, &r->account);
+}
+
+void il_summary_contours(const il_result *r, il_output *out)
+{
+    stack_rows(out, &r->account, false);
 }
 
 /* ---- on standard error --------------------------------------------------- */

@@ -79,15 +79,18 @@ static il_status write_binary_facet(void *self, const il_spooled_triangle *t, il
     return IL_OK;
 }
 
-/* "isoloft NAME, NAME", zeros behind.  Never "solid", which announces ASCII; no
- * '=', because some readers take "COLOR=" in a header for a command. */
+/* "STL isoloft NAME, NAME", zeros behind.  It begins neither with "solid", which
+ * announces ASCII, nor with "isoloft ", the native format's magic; no '=',
+ * because some readers take "COLOR=" in a header for a command. */
 static void write_header(const il_mesh_spool *m, il_output *to)
 {
     enum { HEADER = 80 };
-    char header[HEADER + 1] = "isoloft";
-    size_t n = strlen(header);
+    static const char maker[] = "STL isoloft";
+    char header[HEADER + 1] = "";
+    size_t n = sizeof maker - 1;
+    memcpy(header, maker, n);
     for (size_t k = 0; k < m->n_stacks && n < HEADER; k++) {
-        const char *name = il_stack_head_name(&m->stack[k].head), *joint = n == strlen("isoloft") ? " " : ", ";
+        const char *name = il_stack_head_name(&m->stack[k].head), *joint = n == sizeof maker - 1 ? " " : ", ";
         size_t more = *name ? strlen(joint) : 0;
         if (n + more >= HEADER)
             break;

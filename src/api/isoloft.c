@@ -1,0 +1,318 @@
+/* isoloft.c - isoloft.h: the stages put together for a caller's program.
+ *
+ *     reader or arrays > clean > match > [round] > lofter > tally > writer or arrays
+ *
+ * As in the command, rounding for formats of 32-bit floats is a cleaning stage
+ * of its own behind the matching, so that both give the same bytes. */
+#include "config.h"
+#include "isoloft.h"
+#include "api/contours.h"
+#include "api/solids.h"
+#include "base/alloc.h"
+#include "base/output.h"
+#include "base/source.h"
+#include "base/threads.h"
+#include "input/reader.h"
+#include "loft/lofter.h"
+#include "match/matcher.h"
+#include "output/writer.h"
+#include "region/clean.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* More would only wait for each other. */
+enum { THREADS_MOST = 256 };
+
+/* Counts the triangles that pass, for a run that makes none has failed. */
+typedef struct tally {
+    il_mesh_sink sink;
+    il_mesh_sink *next;
+    size_t triangles;
+} tally;
+
+/* Everything that has to be closed again.  first: the stage that is fed. */
+typedef struct work {
+    const il_from *from;
+    const il_to *to;
+    il_settings settings;
+    il_unit unit;
+    il_source **source;
+    size_t n_sources;
+    const il_reader *reader;
+    const il_writer *writer;    /* null when arrays are wanted */
+    il_output *output;
+    il_mesh_sink *mesh_writer;
+    il_solids_sink solids;
+    tally tally;
+    il_sink *lofter, *rounder, *matcher, *cleaner, *first;
+    il_report report, rounding;
+} work;
+
+/* ---- what the call asks for ------------------------------------------------ */
+
+static il_status check_call(work *w, il_error *err)
+{
+    const il_from *f = w->from;
+    const il_to *t = w->to;
+    if ((f->path != NULL) + (f->data != NULL) + (f->contour != NULL) != 1)
+        return il_fail(err, IL_E_USAGE, 0, "give one of path, data and contour to read from");
+    if ((t->path != NULL) + (t->bytes != NULL) + (t->solids != NULL) != 1)
+        return il_fail(err, IL_E_USAGE, 0, "give one of path, bytes and solids to write to");
+    if ((t->bytes && t->bytes->data) || (t->solids && t->solids->solid))
+        return il_fail(err, IL_E_USAGE, 0, "what is to be filled must be empty");
+    if (f->unit && !il_unit_parse(f->unit, strlen(f->unit), &w->unit))
+        return il_fail(err, IL_E_USAGE, 0, "unknown unit '%.40s'", f->unit);
+    if (!(f->spacing >= 0 && f->spacing < 1e15))
+        return il_fail(err, IL_E_USAGE, 0, "the spacing must be positive, or 0 for none");
+    return IL_OK;
+}
+
+static il_status choose_formats(work *w, il_error *err)
+{
+    const char *from = w->from->format, *to = w->to->format;
+    w->reader = from ? il_reader_named(from) : NULL;
+    if (from && !w->reader)
+        return il_fail(err, IL_E_USAGE, 0, "unknown input format '%.40s'", from);
+    if (w->to->solids)
+        return to ? il_fail(err, IL_E_USAGE, 0, "arrays have no format") : IL_OK;
+    if (to)
+        w->writer = il_writer_named(to);
+    else if (w->to->path)
+        w->writer = il_writer_for_path(w->to->path);
+    if (!to && !w->writer)
+        w->writer = &il_writer_stl;
+    if (!w->writer || !w->writer->mesh_new)
+        return il_fail(err, IL_E_USAGE, 0, "'%.40s' is no format for meshes", to ? to : w->writer->name);
+    return IL_OK;
+}
+
+/* ---- input ------------------------------------------------------------------ */
+
+static il_status open_sources(work *w, il_error *err)
+{
+    const il_from *f = w->from;
+    if (f->contour)
+        return IL_OK;
+    size_t n = f->data ? 1 : f->n_paths;
+    w->source = il_calloc(n, sizeof *w->source);
+    if (!w->source)
+        return il_fail_nomem(err);
+    for (; w->n_sources < n; w->n_sources++) {
+        il_source **s = &w->source[w->n_sources];
+        il_status st = f->data ? il_source_from_memory(s, f->data, f->size, "", err)
+                               : il_source_open(s, f->path[w->n_sources], err);
+        if (st != IL_OK)
+            return st;
+    }
+    if (!w->reader && n > 0)
+        return il_reader_detect(w->source[0], &w->reader, err);
+    return n > 0 ? IL_OK : il_fail(err, IL_E_USAGE, 0, "no path is given to read from");
+}
+
+static il_status feed(work *w, il_error *err)
+{
+    const il_from *f = w->from;
+    if (f->contour)
+        return il_contours_send(f->contour, f->n_contours, w->unit, w->first, err);
+    il_read_options o = IL_READ_OPTIONS_INIT;
+    o.has_unit = f->unit != NULL;
+    o.unit = w->unit;
+    o.has_spacing = f->spacing > 0;
+    o.spacing = f->spacing;
+    return w->reader->read(w->source, w->n_sources, &o, w->first, &w->report, err);
+}
+
+/* ---- output ----------------------------------------------------------------- */
+
+static il_status open_output(work *w, il_error *err)
+{
+    if (!w->writer) {
+        il_solids_sink_init(&w->solids, w->to->solids);
+        w->tally.next = &w->solids.sink;
+        return IL_OK;
+    }
+    il_status st = w->to->path ? il_output_open(&w->output, w->to->path, err) : il_output_to_memory(&w->output, err);
+    static const char *const comments[] = { "made by isoloft " PACKAGE_VERSION, NULL };
+    il_write_options o = { .comment = comments };
+    if (st == IL_OK)
+        st = w->writer->mesh_new(&w->mesh_writer, w->output, &o, err);
+    w->tally.next = w->mesh_writer;
+    return st;
+}
+
+static il_status copy_bytes(const il_output *o, il_blob *to, il_error *err)
+{
+    size_t n;
+    const unsigned char *data = il_output_memory(o, &n);
+    to->data = il_alloc(n, 1);
+    if (!to->data)
+        return il_fail_nomem(err);
+    memcpy(to->data, data, n);
+    to->size = n;
+    return IL_OK;
+}
+
+static il_status commit(work *w, il_error *err)
+{
+    if (w->tally.triangles == 0)
+        return il_fail(err, IL_E_INPUT, 0, "there is no contour that bounds a solid");
+    if (!w->writer)
+        return IL_OK;
+    il_status st = w->to->bytes ? il_output_status(w->output, err) : IL_OK;
+    if (st == IL_OK && w->to->bytes)
+        return copy_bytes(w->output, w->to->bytes, err);
+    il_output *o = w->output;
+    w->output = NULL;
+    return st == IL_OK ? il_output_commit(o, err) : st;
+}
+
+/* ---- stages ----------------------------------------------------------------- */
+
+static il_status tally_begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
+{
+    il_mesh_sink *next = ((tally *)self)->next;
+    return next->begin(next, head, err);
+}
+
+static il_status tally_piece(il_mesh_sink *self, const il_mesh *m, il_error *err)
+{
+    il_mesh_sink *next = ((tally *)self)->next;
+    return next->piece(next, m, err);
+}
+
+static il_status tally_end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *err)
+{
+    tally *t = (tally *)self;
+    t->triangles += facts->triangles;
+    return t->next->end(t->next, facts, err);
+}
+
+static void tally_abandon(il_mesh_sink *self)
+{
+    il_mesh_sink *next = ((tally *)self)->next;
+    next->abandon(next);
+}
+
+static il_status tally_finish(il_mesh_sink *self, il_error *err)
+{
+    il_mesh_sink *next = ((tally *)self)->next;
+    return next->finish(next, err);
+}
+
+static il_status build_lofter(work *w, bool rounds, il_error *err)
+{
+    il_loft_options o = IL_LOFT_OPTIONS_INIT;
+    o.threads = w->settings.threads > 0 ? w->settings.threads : il_threads_available();
+    if (o.threads > THREADS_MOST)
+        o.threads = THREADS_MOST;
+    o.cap = w->settings.dome ? IL_CAP_DOME : IL_CAP_FLAT;
+    o.round_float = rounds;
+    w->tally.sink = (il_mesh_sink){ tally_begin, tally_piece, tally_end, tally_abandon, tally_finish };
+    return il_lofter_new(&w->lofter, &o, &w->tally.sink, err);
+}
+
+/* Last to first, for a stage is given the next one. */
+static il_status build_stages(work *w, il_error *err)
+{
+    bool rounds = w->writer && w->writer->round_float;
+    il_clean_options as_is = { .round_float = false }, rounded = { .round_float = true };
+    il_match_options m = { IL_MATCHER_NONE };
+    il_status st = build_lofter(w, rounds, err);
+    if (st == IL_OK && rounds)
+        st = il_cleaner_new(&w->rounder, &rounded, w->lofter, &w->rounding, err);
+    if (st == IL_OK)
+        st = il_matcher_new(&w->matcher, &m, rounds ? w->rounder : w->lofter, err);
+    if (st == IL_OK)
+        st = il_cleaner_new(&w->cleaner, &as_is, w->matcher, &w->report, err);
+    w->first = w->cleaner;
+    return st;
+}
+
+static void free_work(work *w)
+{
+    il_cleaner_free(w->cleaner);
+    if (w->matcher)
+        il_matcher_free(w->matcher);
+    il_cleaner_free(w->rounder);
+    if (w->lofter)
+        il_lofter_free(w->lofter);
+    if (w->mesh_writer)
+        w->writer->mesh_free(w->mesh_writer);
+    il_solids_sink_free(&w->solids);
+    il_output_discard(w->output);
+    for (size_t k = 0; k < w->n_sources; k++)
+        il_source_close(w->source[k]);
+    il_free(w->source);
+    il_report_free(&w->report);
+    il_report_free(&w->rounding);
+}
+
+/* ---- the account ------------------------------------------------------------ */
+
+static void tell_skips(const il_settings *s, const il_report *r)
+{
+    char text[512];
+    for (size_t i = 0; i < r->n_skips; i++) {
+        const il_skip *k = &r->skip[i];
+        snprintf(text, sizeof text, "%.200s:%ld: skipped %.100s: %.120s (%zu)", k->file ? k->file : "", k->line,
+                 k->what ? k->what : "", k->why ? k->why : "", k->count);
+        s->note(s->note_self, text);
+    }
+}
+
+static void tell(const il_settings *s, const il_report *r)
+{
+    char text[512];
+    if (!s->note)
+        return;
+    for (size_t i = 0; i < r->n_notes; i++)
+        s->note(s->note_self, r->note[i]);
+    tell_skips(s, r);
+    for (int i = 0; i < IL_N_REPAIRS; i++)
+        if (r->repair[i] > 0) {
+            snprintf(text, sizeof text, "repaired: %s (%zu)", il_repair_words((il_repair)i), r->repair[i]);
+            s->note(s->note_self, text);
+        }
+}
+
+/* ---- isoloft.h -------------------------------------------------------------- */
+
+static il_status run(work *w, il_error *err)
+{
+    static il_status (*const steps[])(work *, il_error *) = {
+        check_call, choose_formats, open_sources, open_output, build_stages, feed, commit };
+    il_status st = IL_OK;
+    for (size_t k = 0; k < sizeof steps / sizeof *steps && st == IL_OK; k++)
+        st = steps[k](w, err);
+    return st;
+}
+
+il_status il_loft(const il_from *from, const il_to *to, const il_settings *settings, il_error *err)
+{
+    il_error unseen;
+    if (!err)
+        err = &unseen;
+    il_error_clear(err);
+    work w = { .from = from, .to = to, .unit = IL_UNIT_MM, .report = IL_REPORT_INIT, .rounding = IL_REPORT_INIT };
+    if (settings)
+        w.settings = *settings;
+    il_status st = run(&w, err);
+    if (st != IL_OK && st != IL_E_USAGE && to->solids)
+        il_solids_free(to->solids);
+    tell(&w.settings, &w.report);
+    tell(&w.settings, &w.rounding);
+    free_work(&w);
+    return st;
+}
+
+void il_blob_free(il_blob *b)
+{
+    il_free(b->data);
+    *b = (il_blob)IL_BLOB_INIT;
+}
+
+const char *il_version(void)
+{
+    return PACKAGE_VERSION;
+}

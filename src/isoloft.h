@@ -1,0 +1,174 @@
+/* isoloft.h - stacks of planar contours in, closed and certified triangle meshes out.
+ *
+ * One function, il_loft, does what the program does: it takes contours from
+ * files, from the bytes of a file or from arrays, makes them clean, finds what
+ * corresponds, builds the surface slab by slab, and gives it out only when every
+ * slab has its certificate: closed, oriented, no two triangles intersecting,
+ * every contour vertex kept bit for bit.
+ *
+ *     double square[] = { 0,0, 9,0, 9,9, 0,9 }, smaller[] = { 2,2, 7,2, 7,7, 2,7 };
+ *     il_contour c[] = { { 0, square, 4, 1 }, { 5, smaller, 4, 1 } };
+ *     il_from from = { .contour = c, .n_contours = 2 };
+ *     il_to to = { .path = "frustum.stl" };
+ *     il_error err = IL_ERROR_INIT;
+ *     if (il_loft(&from, &to, NULL, &err) != IL_OK) puts(err.text);
+ *
+ * Build with `pkg-config --cflags --libs isoloft`, and link with the C++
+ * compiler or -lstdc++ (pkg-config says so).  The library prints nothing, keeps
+ * nothing between calls and never ends the process; calls at the same time are
+ * safe.  It starts threads only while il_loft runs.  GPL-3.0-or-later. */
+#ifndef ISOLOFT_H
+#define ISOLOFT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- what went wrong ------------------------------------------------------ */
+
+/* Also the exit codes of the program. */
+typedef enum il_status {
+    IL_OK         = 0,
+    IL_E_UNSOUND  = 1,  /* the program's `check` only: readable, but not sound */
+    IL_E_USAGE    = 2,  /* the call or the command line asks for what there is not */
+    IL_E_INPUT    = 3,  /* the input is not what its format allows */
+    IL_E_IO       = 4,  /* the system could not read or write */
+    IL_E_NOMEM    = 5,
+    IL_E_SURFACE  = 6,  /* no surface passes the certificate */
+    IL_E_INTERNAL = 70  /* a bug of ours */
+} il_status;
+
+/* file: as the caller named it, "" when unknown.  line: from 1, 0 when unknown.
+ * path: where a format has no lines that help (JSON, XML), else "".
+ * text: one sentence without a full stop.  All of it is printable UTF-8. */
+typedef struct il_error {
+    il_status code;
+    char file[256];
+    long line;
+    char path[128];
+    char text[400];
+} il_error;
+
+#define IL_ERROR_INIT { IL_OK, "", 0, "", "" }
+
+/* The whole message, "FILE:LINE: TEXT" with the parts that are known, into
+ * TO[SIZE]; always terminated. */
+void il_error_message(const il_error *err, char *to, size_t size);
+
+/* ---- contours in ---------------------------------------------------------- */
+
+/* A closed polygon in the plane Z: xy[2*n] holds x0 y0 x1 y1 ..., the first
+ * vertex is not repeated at the end.  Finite and below 1e15.  Direction is
+ * free: where contours of a plane lie in one another, every second is a hole.
+ * stack: contours of one number belong to one solid. */
+typedef struct il_contour {
+    double z;
+    const double *xy;
+    size_t n;
+    long stack;
+} il_contour;
+
+/* Where contours come from: one of the three, the others 0.  Borrowed.
+ * path[n_paths]: files, read as one set; "-" is standard input; may be gzip.
+ * data[size]: the bytes of one file.
+ * contour[n_contours]: polygons in any order.
+ * format: of files and bytes, as after the program's -f; null: by the first
+ * bytes.  unit: what the numbers mean ("mm", "m", "in", ...); null: what the
+ * format says, and mm for arrays.  spacing: distance of slices whose format
+ * gives them no height, 0 when they have one. */
+typedef struct il_from {
+    const char *const *path;
+    size_t n_paths;
+    const void *data;
+    size_t size;
+    const il_contour *contour;
+    size_t n_contours;
+    const char *format;
+    const char *unit;
+    double spacing;
+} il_from;
+
+/* ---- solids out ----------------------------------------------------------- */
+
+/* The closed mesh of one stack.  name: UTF-8, "" when it has none.
+ * xyz[3*n_vertices]; triangle[3*n_triangles] counts vertices from 0, outward
+ * normals by the right-hand rule.  contour_vertex[n_vertices]: 1 where the
+ * vertex is one of the contours', 0 where isoloft inserted it.  volume, area in
+ * the unit cubed and squared; genus: handles and tunnels of all components. */
+typedef struct il_solid {
+    char *name;
+    double *xyz;
+    unsigned char *contour_vertex;
+    size_t n_vertices;
+    uint32_t *triangle;
+    size_t n_triangles;
+    long components, genus;
+    double volume, area;
+} il_solid;
+
+typedef struct il_solids {
+    il_solid *solid;
+    size_t n;
+} il_solids;
+
+#define IL_SOLIDS_INIT { NULL, 0 }
+
+/* Frees what il_loft has put there; leaves IL_SOLIDS_INIT; safe twice. */
+void il_solids_free(il_solids *s);
+
+/* The bytes of a mesh file; free with il_blob_free, which leaves IL_BLOB_INIT
+ * and is safe twice. */
+typedef struct il_blob {
+    void *data;
+    size_t size;
+} il_blob;
+
+#define IL_BLOB_INIT { NULL, 0 }
+void il_blob_free(il_blob *b);
+
+/* Where the mesh goes: one of the three, the others null.
+ * path: a file; it appears whole or not at all, and an older one stays as it
+ * was when something fails.  "-" is standard output.
+ * bytes: a file in memory.  solids: arrays, one mesh a stack.
+ * format: of file and bytes, as after the program's -t; null: by the path's
+ * extension, else binary STL, which holds 32-bit floats: contours are rounded to
+ * them first, so that what is certified is what is written. */
+typedef struct il_to {
+    const char *path;
+    il_blob *bytes;
+    il_solids *solids;
+    const char *format;
+} il_to;
+
+/* ---- the work ------------------------------------------------------------- */
+
+/* All 0 is what the program does without options.  threads: 0 is one a
+ * processor; the mesh is the same for any number.  dome: close first and last
+ * slice by a dome of half a spacing instead of flat.  note: is told, sentence by
+ * sentence, what of the input was repaired or skipped; may be null.  The
+ * sentence is gone when it returns. */
+typedef struct il_settings {
+    int threads;
+    int dome;
+    void (*note)(void *self, const char *sentence);
+    void *note_self;
+} il_settings;
+
+/* Loft FROM into TO.  SETTINGS may be null, ERR too.  What TO points to must be
+ * empty (IL_BLOB_INIT, IL_SOLIDS_INIT) and is empty after failure.
+ * IL_E_USAGE: not one of the three sources or targets, an unknown format or
+ * unit.  Other codes as above; ERR names file and line where there are any.
+ * Time and memory grow linearly with the input. */
+il_status il_loft(const il_from *from, const il_to *to, const il_settings *settings, il_error *err);
+
+/* "0.1.0" */
+const char *il_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

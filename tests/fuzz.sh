@@ -1,0 +1,20 @@
+# fuzz.sh - the fuzz harnesses over their formats' samples and over what fuzzing
+# has found, without a fuzzer; one case a harness.
+
+harnesses="loft"
+
+set -- $harnesses
+echo "1..$#"
+i=0
+for format in $harnesses; do
+    i=$((i + 1))
+    seeds=$srcdir/formats/$format
+    found=$srcdir/tests/fuzz/found/$format
+    [ -d "$found" ] || found=
+    if ./tests/fuzz/fuzz-$format -runs=0 "$seeds" $found >"$TMPDIR/out" 2>"$TMPDIR/err"; then
+        echo "ok $i - fuzz-$format stands what it has met"
+    else
+        echo "not ok $i - fuzz-$format stands what it has met"
+        tail -n 20 "$TMPDIR/err" | sed 's/^/# /'
+    fi
+done

@@ -129,7 +129,7 @@ static il_status open_outputs(pipeline *p, il_error *err)
         p->nowhere = (il_mesh_sink){ nowhere_begin, nowhere_piece, nowhere_end, nowhere_abandon, nowhere_finish };
         return IL_OK;
     }
-    il_write_options w = { comments };
+    il_write_options w = { .comment = comments };
     il_status st = il_destination_open(&p->destination, o->output, o->to, &w, err);
     if (st == IL_OK) {
         p->account->options.file_of = il_destination_take_file;

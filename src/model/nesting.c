@@ -66,7 +66,9 @@ typedef struct key { uint64_t code; uint32_t triangle; } key;
 static int by_code(const void *pa, const void *pb)
 {
     const key *a = pa, *b = pb;
-    return a->code != b->code ? (a->code < b->code ? -1 : 1) : (a->triangle > b->triangle) - (a->triangle < b->triangle);
+    if (a->code != b->code)
+        return a->code < b->code ? -1 : 1;
+    return (a->triangle > b->triangle) - (a->triangle < b->triangle);
 }
 
 static uint64_t cell(double c, double lo, double hi)
@@ -187,7 +189,9 @@ static void find_below(query *q, size_t k)
     const tree *tr = q->tree;
     const box *b = &tr->node[k];
     const place p = q->from;
-    if (p.s < b->lo.s || p.s > b->hi.s || p.t < b->lo.t || p.t > b->hi.t || p.u <= b->lo.u || (q->found && b->hi.u <= q->u))
+    if (p.s < b->lo.s || p.s > b->hi.s || p.t < b->lo.t || p.t > b->hi.t || p.u <= b->lo.u)
+        return;
+    if (q->found && b->hi.u <= q->u)
         return;
     if (k >= tr->n_leaves - 1) {
         size_t i = k - (tr->n_leaves - 1);

@@ -116,7 +116,8 @@ static void a_wrong_count_is_found_and_costs_nothing(void **state)
     (void)state;
     static bytes b;
     put_stl(&b, "x", 5, 1);
-    assert_refuses(b.at, b.n, "x: neither STL nor OBJ nor PLY, or a binary STL of another length than its count says"); /* the size rule */
+    assert_refuses(b.at, b.n, /* the size rule */
+                   "x: neither STL nor OBJ nor PLY, or a binary STL of another length than its count says");
     put_stl(&b, "x", 4000000, 800);
     assert_refuses(b.at, b.n, "x: byte 160084: the file ends after 3200 of 4000000 triangles");
     put_stl(&b, "x", 3100, 800);
@@ -160,7 +161,8 @@ static void describe(const char *dir, const char *name, char *line, size_t size)
     char *text = slurp(path, &n);
     assert_int_equal(il_source_from_memory(&s, text, n, name, &err), IL_OK);
     if (il_mesh_file_read(s, &m, &facts, &err) == IL_OK)
-        snprintf(line, size, "%s: %zu vertices, %zu triangles, %zu polygons", facts.format, m.n_vertices, m.n_triangles, facts.polygons);
+        snprintf(line, size, "%s: %zu vertices, %zu triangles, %zu polygons", facts.format, m.n_vertices,
+                 m.n_triangles, facts.polygons);
     else
         il_error_message(&err, line, size);
     il_mesh_free(&m);
@@ -207,8 +209,8 @@ static void invalid_samples_are_refused_with_their_place(void **state)
 static void what_is_no_mesh_file_is_not_taken_for_one(void **state)
 {
     (void)state;
-    static const char *const other[] = { "", "isoloft 1\nunit mm\nend\n", "<svg/>", "{\"type\":1}", "solid", "ply", "plywood\n",
-                                         "very like an obj\n", "# only a comment\n", "f" };
+    static const char *const other[] = { "", "isoloft 1\nunit mm\nend\n", "<svg/>", "{\"type\":1}", "solid", "ply",
+                                         "plywood\n", "very like an obj\n", "# only a comment\n", "f" };
     for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
         il_source *s;
         const char *format = "unset";
@@ -224,11 +226,15 @@ static void running_out_of_memory_is_an_error_and_loses_nothing(void **state)
 {
     (void)state;
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\n";
-    static const char ply[] = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                              "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n";
+    static const char ply[] =
+        "ply\nformat ascii 1.0\n"
+        "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_index\nend_header\n"
+        "0 0 0 1 0 0 0 1 0\n3 0 1 2\n";
     static bytes stl;
     put_stl(&stl, "x", 4, 1);
-    const struct { const void *at; size_t n; } c[] = { { obj, sizeof obj - 1 }, { ply, sizeof ply - 1 }, { stl.at, stl.n } };
+    const struct { const void *at; size_t n; } c[] = {
+        { obj, sizeof obj - 1 }, { ply, sizeof ply - 1 }, { stl.at, stl.n } };
     for (size_t i = 0; i < 3; i++) {
         il_status st = IL_E_NOMEM;
         long k = 0;

@@ -26,13 +26,15 @@ static bool has_stl_count(const unsigned char *head, size_t n)
 
 static bool starts_with_solid(const unsigned char *head, size_t n)
 {
-    return n >= 6 && strncasecmp((const char *)head, "solid", 5) == 0 && (head[5] == ' ' || (head[5] >= '\t' && head[5] <= '\r'));
+    return n >= 6 && strncasecmp((const char *)head, "solid", 5) == 0
+        && (head[5] == ' ' || (head[5] >= '\t' && head[5] <= '\r'));
 }
 
 static bool starts_with_line(const unsigned char *head, size_t n, const char *line)
 {
     size_t k = strlen(line);
-    return n > k && memcmp(head, line, k) == 0 && (head[k] == '\n' || (head[k] == '\r' && n > k + 1 && head[k + 1] == '\n'));
+    return n > k && memcmp(head, line, k) == 0
+        && (head[k] == '\n' || (head[k] == '\r' && n > k + 1 && head[k + 1] == '\n'));
 }
 
 /* The word behind "format", which may stand behind comments. */
@@ -82,7 +84,8 @@ il_status il_mesh_file_read(il_source *source, il_mesh *out, il_mesh_file_facts 
     *facts = (il_mesh_file_facts)IL_MESH_FILE_FACTS_INIT;
     il_status st = il_mesh_file_detect(source, &facts->format, err);
     if (st == IL_OK && !facts->format)
-        st = il_fail(err, IL_E_INPUT, 0, "neither STL nor OBJ nor PLY, or a binary STL of another length than its count says");
+        st = il_fail(err, IL_E_INPUT, 0, "neither STL nor OBJ nor PLY, "
+                     "or a binary STL of another length than its count says");
     if (st == IL_OK)
         st = read_format(source, facts->format, out, &facts->polygons, err);
     if (st == IL_OK && out->n_triangles == 0)

@@ -154,7 +154,8 @@ static il_status read_statement(obj *o, il_error *err)
     if (is_listed(word, passed_over))
         return pass_over(o, err);
     if (is_listed(word, refused))
-        return il_fail(err, IL_E_INPUT, o->words.lines.line, "'%.*s': curves and free-form surfaces are not read", IL_WORD_SHOWN(word));
+        return il_fail(err, IL_E_INPUT, o->words.lines.line, "'%.*s': curves and free-form surfaces are not read",
+                       IL_WORD_SHOWN(word));
     return il_fail(err, IL_E_INPUT, o->words.lines.line, "'%.*s' is no OBJ statement", IL_WORD_SHOWN(word));
 }
 

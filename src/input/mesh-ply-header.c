@@ -97,10 +97,12 @@ static il_status read_element(ply_header *h, il_words *w, il_error *err)
 
 static ply_role role_of(ply_kind kind, il_word name)
 {
-    if (kind == PLY_VERTEX)
-        return il_word_is(name, "x") ? PLY_X : il_word_is(name, "y") ? PLY_Y : il_word_is(name, "z") ? PLY_Z : PLY_IGNORED;
-    if (kind == PLY_FACE && (il_word_is(name, "vertex_indices") || il_word_is(name, "vertex_index")))
-        return PLY_CORNERS;
+    static const struct { ply_kind kind; const char *name; ply_role role; } roles[] = {
+        { PLY_VERTEX, "x", PLY_X }, { PLY_VERTEX, "y", PLY_Y }, { PLY_VERTEX, "z", PLY_Z },
+        { PLY_FACE, "vertex_indices", PLY_CORNERS }, { PLY_FACE, "vertex_index", PLY_CORNERS } };
+    for (size_t i = 0; i < sizeof roles / sizeof *roles; i++)
+        if (roles[i].kind == kind && il_word_is(name, roles[i].name))
+            return roles[i].role;
     return PLY_IGNORED;
 }
 
@@ -130,7 +132,8 @@ static il_status read_property(ply_header *h, il_words *w, il_error *err)
     il_word name = il_words_in_line(w);
     p.role = role_of(e->kind, name);
     bool wants_list = p.role == PLY_CORNERS, is_list = p.count_type != PLY_NONE;
-    if (p.role != PLY_IGNORED && (wants_list != is_list || (wants_list && !is_integer(p.type)) || has_role(h, e, p.role)))
+    bool fits = wants_list == is_list && (!wants_list || is_integer(p.type)) && !has_role(h, e, p.role);
+    if (p.role != PLY_IGNORED && !fits)
         return fail(w, "a property that stands twice or has the wrong type", name, err);
     if (!il_grow(&h->property, &h->cap_properties, h->n_properties + 1, sizeof *h->property))
         return il_fail_nomem(err);
@@ -147,7 +150,8 @@ static il_status finish(const ply_header *h, const il_words *w, il_error *err)
     if (!h->has_format)
         return il_fail(err, IL_E_INPUT, w->lines.line, "the header says no format");
     if (!h->has_vertices || !h->has_faces)
-        return il_fail(err, IL_E_INPUT, w->lines.line, "the header has no element '%s'", h->has_vertices ? "face" : "vertex");
+        return il_fail(err, IL_E_INPUT, w->lines.line, "the header has no element '%s'",
+                       h->has_vertices ? "face" : "vertex");
     for (size_t i = 0; i < h->n_elements; i++) {
         const ply_element *e = &h->element[i];
         if (e->kind == PLY_VERTEX && !(has_role(h, e, PLY_X) && has_role(h, e, PLY_Y) && has_role(h, e, PLY_Z)))

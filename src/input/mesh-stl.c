@@ -190,7 +190,8 @@ static il_status read_solid(il_words *w, corners *c, il_error *err)
         if (word.n == 0)
             return il_fail(err, IL_E_INPUT, w->lines.line, "the file ends inside a solid");
         if (!il_word_is(word, "facet"))
-            return il_fail(err, IL_E_INPUT, w->lines.line, "'%.*s' where 'facet' or 'endsolid' must stand", IL_WORD_SHOWN(word));
+            return il_fail(err, IL_E_INPUT, w->lines.line, "'%.*s' where 'facet' or 'endsolid' must stand",
+                           IL_WORD_SHOWN(word));
         st = read_facet(w, c, err);
         if (st != IL_OK)
             return st;

@@ -562,8 +562,8 @@ static const char *const hostile[] = {
     "../../etc/passwd", "-rf", "two words\nendsolid x\nfacet", "\033[2J\r", "COLOR=\1\2\3\4",
     "end_header\nelement vertex 0",
     "solid", "back\\", "%s%n", "", "h\xc3\xb6he \xff\xfe", "a b", "a_b", "a\tb",
-    "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
-    "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx" };
+    ("xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
+    "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx") };
 enum { N_HOSTILE = sizeof hostile / sizeof *hostile };
 
 /* Every line of TEXT starts with one of the words and holds no control character. */

@@ -163,13 +163,15 @@ static il_status set_heights(il_svg_slices *s, il_source *const *source, size_t 
     const il_svg_part *with = find_with_height(s), *without = find_contour_without(s);
     bool counted = false;
     if (with && without)
-        return fail_at(without, source, err, "no height here (data-z, z, slic3r:z, or a group named like layer12 or z=3.5), though other contours have one");
+        return fail_at(without, source, err, "no height here (data-z, z, slic3r:z, or a group named like layer12 or "
+            "z=3.5), though other contours have one");
     if (with)
         drop_empty_without(s);
     else
         number_parts(s, n_files);
     if (without && !o->has_spacing && !is_one_slot(s))
-        return fail_at(without, source, err, "no heights: give --spacing to count slices from here, or write data-z on the groups or elements");
+        return fail_at(without, source, err, "no heights: give --spacing to count slices from here, or write data-z "
+            "on the groups or elements");
     for (size_t i = 0; i < s->n; i++) {
         s->part[i].z = height(&s->part[i], o);
         counted = counted || s->part[i].level.kind == IL_SVG_LEVEL_ORDINAL;

@@ -269,7 +269,9 @@ static void find_extent(const il_svg_slices *s, size_t *first, size_t *end)
         --*end;
 }
 
-static il_status send_parts(il_svg_slices *s, const il_stack_head *head, il_sink *sink, il_error *err)
+/* What a stage finds wrong with a slice names the file it came from. */
+static il_status send_parts(il_svg_slices *s, const il_stack_head *head, il_source *const *source,
+                            il_sink *sink, il_error *err)
 {
     size_t first, end;
     find_extent(s, &first, &end);
@@ -278,6 +280,8 @@ static il_status send_parts(il_svg_slices *s, const il_stack_head *head, il_sink
         s->part[i].slice.z = s->part[i].z;
         st = sink->slice(sink, &s->part[i].slice, err);
         il_slice_free(&s->part[i].slice);
+        if (st == IL_E_INPUT)
+            il_error_set_file(err, il_source_name(source[s->part[i].file]));
     }
     if (st == IL_OK)
         st = sink->stack_end(sink, err);
@@ -299,5 +303,5 @@ il_status il_svg_slices_send(il_svg_slices *s, const il_stack_head *head, il_sou
     st = merge_parts(s, report, err);
     if (st == IL_OK)
         st = join_lines(s, source, report, err);
-    return st == IL_OK ? send_parts(s, head, sink, err) : st;
+    return st == IL_OK ? send_parts(s, head, source, sink, err) : st;
 }

@@ -191,7 +191,8 @@ static il_status select_from(const char *pattern, counter *c, il_error *err)
 static void a_pattern_lets_matching_stacks_through(void **state)
 {
     (void)state;
-    static const struct { const char *pattern; int stacks; } c[] = { { "Lung*", 2 }, { "*", 4 }, { "Heart", 1 }, { "", 1 }, { "[HL]*t", 3 } };
+    static const struct { const char *pattern; int stacks; } c[] = {
+        { "Lung*", 2 }, { "*", 4 }, { "Heart", 1 }, { "", 1 }, { "[HL]*t", 3 } };
     for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
         counter n;
         il_error err = IL_ERROR_INIT;

@@ -138,6 +138,48 @@ static void places_that_cannot_be_written_are_refused_at_once(void **state)
     assert_int_equal(files_count(state), 0);
 }
 
+/* ---- two files ------------------------------------------------------------ */
+
+static void two_files_appear_together_or_not_at_all(void **state)
+{
+    char main_path[FILES_PATH_MAX], beside_path[FILES_PATH_MAX];
+    files_path(main_path, state, "main");
+    files_path(beside_path, state, "beside");
+    files_write(main_path, "old", 3);
+    for (int way = 0; way < 3; way++) {
+        il_output *o = opened(main_path), *beside = opened(beside_path);
+        il_error err = IL_ERROR_INIT;
+        il_output_string(o, "new");
+        il_output_string(beside, "also");
+        il_output_also(o, beside);
+        if (way == 0) {
+            assert_int_equal(mkdir(beside_path, 0777), 0); /* somebody takes the name */
+            assert_int_equal(il_output_commit(o, &err), IL_E_IO);
+            assert_string_equal(err.file, beside_path);
+            assert_int_equal(rmdir(beside_path), 0);
+        } else if (way == 1) {
+            il_output_discard(o);
+        } else {
+            assert_int_equal(il_output_commit(o, &err), IL_OK);
+        }
+        files_assert_content(main_path, way < 2 ? "old" : "new");
+        assert_int_equal(files_count(state), way < 2 ? 1 : 2);
+    }
+    files_assert_content(beside_path, "also");
+    remove(main_path), remove(beside_path);
+}
+
+static void only_regular_files_have_a_path(void **state)
+{
+    char path[FILES_PATH_MAX];
+    il_output *file = opened(files_path(path, state, "x")), *null = opened("/dev/null"), *memory;
+    assert_int_equal(il_output_to_memory(&memory, NULL), IL_OK);
+    assert_string_equal(il_output_file_path(file), path);
+    assert_null(il_output_file_path(null));
+    assert_null(il_output_file_path(memory));
+    il_output_discard(file), il_output_discard(null), il_output_discard(memory);
+}
+
 /* ---- permissions and links ------------------------------------------------ */
 
 static unsigned mode_of(const char *path)
@@ -380,7 +422,7 @@ static void a_fifo_is_written_in_place(void **state)
 
 static void a_non_blocking_pipe_is_waited_for(void **state)
 {
-    char path[FILES_PATH_MAX];
+    char path[FILES_PATH_MAX], *block = calloc(1, BIG);
     assert_int_equal(mkfifo(files_path(path, state, "fifo"), 0600), 0);
     reader r = { path, 0 };
     pthread_t t;
@@ -391,10 +433,11 @@ static void a_non_blocking_pipe_is_waited_for(void **state)
     il_output *o = NULL;
     il_status st = il_output_open(&o, "-", NULL);
     if (st == IL_OK) {
-        write_many(o, BIG);
+        il_output_write(o, block, BIG); /* at once: no pipe takes it in one piece */
         st = il_output_commit(o, NULL);
     }
     files_restore(STDOUT_FILENO, old);
+    free(block);
     pthread_join(t, NULL);
     assert_int_equal(st, IL_OK);
     assert_int_equal(r.n, BIG);
@@ -642,6 +685,8 @@ int main(void)
         cmocka_unit_test(a_failed_rename_is_an_error),
         cmocka_unit_test(dev_full_fails_with_the_reason),
         cmocka_unit_test(places_that_cannot_be_written_are_refused_at_once),
+        cmocka_unit_test(two_files_appear_together_or_not_at_all),
+        cmocka_unit_test(only_regular_files_have_a_path),
         cmocka_unit_test(an_old_file_keeps_its_permissions),
         cmocka_unit_test(a_new_file_obeys_the_umask),
         cmocka_unit_test(a_write_protected_file_is_refused),

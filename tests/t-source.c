@@ -71,7 +71,7 @@ static il_status read_all(il_source *s, size_t piece, char *to, size_t size, siz
         size_t most = size - *n < piece ? size - *n : piece;
         got = 0;
         st = il_source_read(s, to + *n, most, &got, err);
-        *n += got;
+        *n += st == IL_OK ? got : 0;
     }
     return st;
 }
@@ -467,6 +467,20 @@ static void gzip_cut_anywhere_is_an_error(void **state)
     assert_int_equal(read_memory(z, 1, back, sizeof back, &n, NULL), IL_OK); /* no magic: plain */
 }
 
+static void what_came_out_before_the_damage_is_given(void **state)
+{
+    (void)state;
+    unsigned char z[200];
+    size_t zn = gzip(z, sizeof z, poem, POEM), n;
+    char back[100];
+    il_error err = IL_ERROR_INIT;
+    z[zn - 8] ^= 1; /* the checksum */
+    assert_int_equal(read_memory(z, zn, back, sizeof back, &n, &err), IL_E_INPUT);
+    assert_string_equal(err.text, "the gzip stream is damaged");
+    assert_int_equal(n, POEM);
+    assert_memory_equal(back, poem, POEM);
+}
+
 static void no_flipped_bit_gives_other_text(void **state)
 {
     (void)state;
@@ -535,6 +549,7 @@ int main(void)
         cmocka_unit_test(members_in_a_row_are_one_text),
         cmocka_unit_test(zeros_behind_gzip_are_padding_and_all_else_is_an_error),
         cmocka_unit_test(gzip_cut_anywhere_is_an_error),
+        cmocka_unit_test(what_came_out_before_the_damage_is_given),
         cmocka_unit_test(no_flipped_bit_gives_other_text),
         cmocka_unit_test(every_allocation_may_fail),
     };

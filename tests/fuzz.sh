@@ -1,7 +1,7 @@
 # fuzz.sh - the fuzz harnesses over their formats' samples and over what fuzzing
 # has found, without a fuzzer; one case a harness.
 
-harnesses="loft"
+harnesses="loft mesh"
 
 set -- $harnesses
 echo "1..$#"

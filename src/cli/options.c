@@ -419,7 +419,7 @@ static bool parse_verb(il_options *o, const char *word)
 static il_status take_operand(il_options *o, const char *word, bool first, il_error *err)
 {
     if (first && strcmp(word, "plot") == 0)
-        return il_fail(err, IL_E_USAGE, 0, "this version does not draw yet, but 'plot' is kept for it (a file: ./plot)");
+        return il_fail(err, IL_E_USAGE, 0, "this version does not draw yet, but 'plot' is kept for it (file: ./plot)");
     if (first && parse_verb(o, word))
         return IL_OK;
     if (!il_grow(&o->input, &o->cap_inputs, o->n_inputs + 1, sizeof *o->input))

@@ -188,7 +188,7 @@ else
     skip "manual pages pass a lint" "neither mandoc nor groff is installed"
 fi
 
-for word in $(grep -o -E '(examples|formats|man|src|tests)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' README); do
-    [ -e "$word" ] || echo "README: $word is not there"
+for word in $(grep -o -E '(examples|formats|man|src|tests)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' README.md); do
+    [ -e "$word" ] || echo "README.md: $word is not there"
 done >"$found"
 none "files that the README names are there"

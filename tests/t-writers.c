@@ -132,7 +132,7 @@ static void binary_stl_has_these_bytes(void **state)
         "00000000803f0000000080bf000000000000000000000000000000000000000000000000000000000000803f00000000"
         "0000803f0000000000003acd133f3acd133f3acd133f0000803f0000000000000000000000000000803f000000000000"
         "0000000000000000803f0000";
-    unsigned char expected[300] = "isoloft Left ear";
+    unsigned char expected[300] = "STL isoloft Left ear";
     size_t n = 80 + from_hex(expected + 80, hex);
     assert_int_equal(n, 80 + 4 + 4 * 50);
     assert_bytes(tetrahedron_as(&il_writer_stl), expected, n);
@@ -682,7 +682,7 @@ static void hostile_names_break_no_format(void **state)
         char *text = il_strndup((const char *)data, n);
         if (w == &il_writer_stl) {
             assert_int_equal(n, 84 + 50 * 4 * N_HOSTILE);
-            assert_int_equal(strncmp(text, "isoloft ", 8), 0);
+            assert_int_equal(strncmp(text, "STL isoloft ", 12), 0);
             assert_null(memchr(text, '=', 80));
             assert_null(memchr(text, '\033', 80));
         } else if (w == &il_writer_stl_ascii) {

@@ -29,9 +29,9 @@ static il_status check_slices(il_native *n)
     if (st != IL_OK)
         return st;
     if (!n->lower.all_rings || !n->upper.all_rings)
-        return il_native_fail(n, "a pair cannot stand between slices with open lines, or rings of less than 3 vertices");
+        return il_native_fail(n, "a pair cannot stand by a slice with open lines or rings of less than 3 vertices");
     if (!n->lower.in_order || !n->upper.in_order)
-        return il_native_fail(n, "a pair cannot stand between slices whose rings are not in canonical order");
+        return il_native_fail(n, "a pair cannot stand by a slice whose rings are not in canonical order");
     return IL_OK;
 }
 
@@ -365,7 +365,8 @@ static il_status take_phi(il_native *n)
     if (st == IL_OK)
         st = ring_exists(n, &n->upper, ring);
     if (st == IL_OK && ring != n->phi_rings)
-        st = il_native_fail(n, "phi of ring %lu is due, not of ring %lu", (unsigned long)n->phi_rings, (unsigned long)ring);
+        st = il_native_fail(n, "phi of ring %lu is due, not of ring %lu", (unsigned long)n->phi_rings,
+                            (unsigned long)ring);
     n->phi_rings += st == IL_OK;
     n->in = IL_IN_PHI;
     n->rows_line = n->at.line;

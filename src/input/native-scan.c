@@ -61,8 +61,7 @@ const char *il_scan_peek(il_scan *s, size_t *n)
     return s->p;
 }
 
-/* The length of a word in messages. */
-static int shown(size_t n)
+int il_scan_shown(size_t n)
 {
     enum { MOST = 40 };
     return n < MOST ? (int)n : MOST;
@@ -81,7 +80,7 @@ il_status il_scan_choice(il_scan *s, const char *const *words, const char *what,
             return IL_OK;
         }
     }
-    return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is not %s", shown(n), word, what);
+    return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is not %s", il_scan_shown(n), word, what);
 }
 
 /* Why the next word is no number. */
@@ -91,7 +90,7 @@ static il_status no_number(il_scan *s, il_error *err)
     const char *word = il_scan_peek(s, &n);
     if (n == 0)
         return il_fail(err, IL_E_INPUT, s->line, "a number is missing");
-    return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is not a finite number", shown(n), word);
+    return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is not a finite number", il_scan_shown(n), word);
 }
 
 il_status il_scan_number(il_scan *s, double *value, il_error *err)
@@ -103,7 +102,8 @@ il_status il_scan_number(il_scan *s, double *value, il_error *err)
     if (n == 0 || (after < s->end && !is_blank(*after)))
         return no_number(s, err);
     if (!(v > -IL_NATIVE_BOUND && v < IL_NATIVE_BOUND))
-        return il_fail(err, IL_E_INPUT, s->line, "%.*s is too large: magnitudes stay below 1e15", shown(n), s->p);
+        return il_fail(err, IL_E_INPUT, s->line, "%.*s is too large: magnitudes stay below 1e15",
+                       il_scan_shown(n), s->p);
     s->p = after;
     *value = v;
     return IL_OK;
@@ -141,7 +141,8 @@ il_status il_scan_index(il_scan *s, uint32_t *value, il_error *err)
     if (n == 0)
         return il_fail(err, IL_E_INPUT, s->line, "an index or count is missing");
     if (!digits_value(word, n, UINT32_MAX, &v))
-        return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is not an index or count from 0 to 4294967295", shown(n), word);
+        return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is not an index or count from 0 to 4294967295",
+                       il_scan_shown(n), word);
     s->p += n;
     *value = (uint32_t)v;
     return IL_OK;
@@ -156,7 +157,8 @@ il_status il_scan_integer(il_scan *s, long least, long most, long *value, il_err
     if (n == 0)
         return il_fail(err, IL_E_INPUT, s->line, "an integer is missing");
     if (!digits_value(word + sign, n - sign, room, &v))
-        return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is not an integer from %ld to %ld", shown(n), word, least, most);
+        return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is not an integer from %ld to %ld",
+                       il_scan_shown(n), word, least, most);
     s->p += n;
     *value = sign ? -(long)v : (long)v;
     return IL_OK;
@@ -168,14 +170,16 @@ il_status il_scan_end(il_scan *s, il_error *err)
     const char *word = il_scan_peek(s, &n);
     if (n == 0)
         return IL_OK;
-    return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is too much on this line", shown(n), word);
+    return il_fail(err, IL_E_INPUT, s->line, "'%.*s' is too much on this line", il_scan_shown(n), word);
 }
 
 /* ---- strings --------------------------------------------------------------- */
 
 static int hex_value(char c)
 {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    if (c >= '0' && c <= '9')
+        return c - '0';
+    return c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
 /* Undo the escape at P, behind its backslash: its byte, and the bytes it takes
@@ -210,7 +214,8 @@ static il_status copy_string(il_scan *s, char *to, size_t *n, il_error *err)
             size_t used;
             c = unescape(s->p, s->end, &used);
             if (used == 0)
-                return il_fail(err, IL_E_INPUT, s->line, "in strings there are the escapes \\\" \\\\ \\n \\xHH and no other");
+                return il_fail(err, IL_E_INPUT, s->line,
+                               "in strings there are the escapes \\\" \\\\ \\n \\xHH and no other");
             if (c == 0)
                 return il_fail(err, IL_E_INPUT, s->line, "a string cannot hold NUL");
             s->p += used;

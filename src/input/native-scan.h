@@ -25,6 +25,9 @@ il_status il_scan_check(const il_scan *s, il_error *err);
 /* At the end of the line, or at a comment? */
 bool il_scan_at_end(il_scan *s);
 
+/* How much of a word of N bytes messages show. */
+int il_scan_shown(size_t n);
+
 /* The next word without taking it; *N is 0 at the end of the line. */
 const char *il_scan_peek(il_scan *s, size_t *n);
 

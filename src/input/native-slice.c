@@ -23,7 +23,7 @@ static il_status take_unit(il_native *n)
     size_t length;
     const char *word = il_scan_peek(&n->at, &length);
     if (!il_unit_parse(word, length, &n->unit))
-        return il_native_fail(n, "'%.*s' is not a unit: mm, cm, m, km, um, in, ft or deg", length < 40 ? (int)length : 40, word);
+        return il_native_fail(n, "'%.*s' is not a unit: mm, cm, m, km, um, in, ft or deg", il_scan_shown(length), word);
     n->at.p += length;
     n->has_unit = true;
     return IL_OK;
@@ -283,7 +283,8 @@ static il_status take_mark_line(il_native *n, unsigned char mark)
         if (st != IL_OK)
             return st;
         if (i >= marked_below)
-            return il_native_fail(n, "there is no %s %lu to mark", mark == IL_VERTEX_MAP_EDGE ? "edge" : "vertex", (unsigned long)i);
+            return il_native_fail(n, "there is no %s %lu to mark", mark == IL_VERTEX_MAP_EDGE ? "edge" : "vertex",
+                                  (unsigned long)i);
         unsigned char *marks = ring_marks(n, r);
         if (!marks)
             return IL_E_NOMEM;
@@ -306,7 +307,8 @@ il_status il_native_close_ring(il_native *n)
 {
     const il_ring *r = open_ring(n);
     if (n->counted && r->n != n->count)
-        return il_fail(n->err, IL_E_INPUT, r->line, "%lu vertices were announced, and there are %zu", (unsigned long)n->count, r->n);
+        return il_fail(n->err, IL_E_INPUT, r->line, "%lu vertices were announced, and there are %zu",
+                       (unsigned long)n->count, r->n);
     return IL_OK;
 }
 

@@ -71,17 +71,12 @@ static const il_native_keyword *find_keyword(const char *word, size_t n)
     return NULL;
 }
 
-static int shown(size_t n)
-{
-    return n < 40 ? (int)n : 40;
-}
-
 static il_status unknown_keyword(il_native *n, const char *word, size_t length)
 {
     if (strcmp(n->version, "1") != 0 && strcmp(n->version, "1.0") != 0)
-        return il_native_fail(n, "'%.*s' is not a keyword of isoloft 1.0, which is what this program reads; the stream is isoloft %s",
-                              shown(length), word, n->version);
-    return il_native_fail(n, "'%.*s' is neither a keyword nor a number", shown(length), word);
+        return il_native_fail(n, "'%.*s' is unknown in isoloft 1.0, which this program reads; the stream is isoloft %s",
+                              il_scan_shown(length), word, n->version);
+    return il_native_fail(n, "'%.*s' is neither a keyword nor a number", il_scan_shown(length), word);
 }
 
 static bool is_private_name(const char *word, size_t n)
@@ -200,7 +195,7 @@ static il_status take_version(il_native *n)
     const char *word = il_scan_peek(&n->at, &length);
     if (!is_version(word, length))
         return il_native_fail(n, "the first line is not 'isoloft 1'");
-    snprintf(n->version, sizeof n->version, "%.*s", shown(length), word);
+    snprintf(n->version, sizeof n->version, "%.*s", il_scan_shown(length), word);
     if (!is_major_1(n->version))
         return il_native_fail(n, "the stream is isoloft %s; this program reads isoloft 1", n->version);
     n->at.p += length;

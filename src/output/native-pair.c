@@ -178,7 +178,8 @@ static il_status write_rings(il_output *to, const char *word, const uint32_t *ri
 static il_status write_links(il_output *to, const il_group *g, il_error *err)
 {
     static const char *const reasons[] = {
-        [IL_LINK_OVERLAP] = " overlap", [IL_LINK_NEAR] = " near", [IL_LINK_JOIN] = " join", [IL_LINK_OPENING] = " opening" };
+        [IL_LINK_OVERLAP] = " overlap", [IL_LINK_NEAR] = " near",
+        [IL_LINK_JOIN] = " join", [IL_LINK_OPENING] = " opening" };
     il_link *order = sorted(g->link, g->n_links, sizeof *order, compare_links);
     if (!order)
         return il_fail_nomem(err);

@@ -109,7 +109,8 @@ static void coordinates_at_the_limit_are_refused(void **state)
 {
     (void)state;
     static const char *const c[] = { "M1e15 0L1 1", "M0 0L-1e15 1", "M0 0l9e14 0l9e14 0", "M0 0C1e15 0 1 1 2 2",
-                                     "M0 0A9e15 9e15 0 0 0 1 1", "M0 0h1e308h1e308", "M-9e14 0A9e14 9e14 0 1 1 9e14 1" };
+                                     "M0 0A9e15 9e15 0 0 0 1 1", "M0 0h1e308h1e308",
+                                     "M-9e14 0A9e14 9e14 0 1 1 9e14 1" };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
         il_slice s = IL_SLICE_INIT;
         il_error err = IL_ERROR_INIT;
@@ -200,7 +201,8 @@ static void curves_stay_within_the_tolerance(void **state)
 static void a_huge_curve_costs_few_vertices(void **state)
 {
     (void)state;
-    static const char *const d[] = { "M0 0C0 9e14 9e14 9e14 9e14 0", "M0 0Q0 9e14 9e14 0", "M0 0A4e14 4e14 0 1 1 1e14 0" };
+    static const char *const d[] = { "M0 0C0 9e14 9e14 9e14 9e14 0", "M0 0Q0 9e14 9e14 0",
+        "M0 0A4e14 4e14 0 1 1 1e14 0" };
     for (size_t i = 0; i < 3; i++) {
         il_slice s = draw(d[i], 1e-6);
         assert_in_range(s.ring[0].n, 100, 4200);

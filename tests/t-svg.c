@@ -206,13 +206,18 @@ static void names_are_heights_or_numbers_of_slices(void **state)
         { "layer12", IL_SVG_LEVEL_ORDINAL, 12 }, { "Layer 3", IL_SVG_LEVEL_ORDINAL, 3 },
         { "slice_0001", IL_SVG_LEVEL_ORDINAL, 1 }, { "my layer-7", IL_SVG_LEVEL_ORDINAL, 7 },
         { "Section #4", IL_SVG_LEVEL_ORDINAL, 4 }, { "LEVEL:5", IL_SVG_LEVEL_ORDINAL, 5 },
-        { "z=3.5", IL_SVG_LEVEL_HEIGHT, 3.5 }, { "z3.5", IL_SVG_LEVEL_HEIGHT, 3.5 }, { "Z = -3.5 mm", IL_SVG_LEVEL_HEIGHT, -3.5 },
-        { "z-1", IL_SVG_LEVEL_HEIGHT, -1 }, { "height_2e1", IL_SVG_LEVEL_HEIGHT, 20 }, { "layer 3 (z=0.6)", IL_SVG_LEVEL_HEIGHT, 0.6 },
-        { "layer12mm", IL_SVG_LEVEL_ORDINAL, 12 }, { "42", IL_SVG_LEVEL_HEIGHT, 42 }, { "-1.5", IL_SVG_LEVEL_HEIGHT, -1.5 },
+        { "z=3.5", IL_SVG_LEVEL_HEIGHT, 3.5 }, { "z3.5", IL_SVG_LEVEL_HEIGHT, 3.5 },
+        { "Z = -3.5 mm", IL_SVG_LEVEL_HEIGHT, -3.5 },
+        { "z-1", IL_SVG_LEVEL_HEIGHT, -1 }, { "height_2e1", IL_SVG_LEVEL_HEIGHT, 20 },
+        { "layer 3 (z=0.6)", IL_SVG_LEVEL_HEIGHT, 0.6 },
+        { "layer12mm", IL_SVG_LEVEL_ORDINAL, 12 }, { "42", IL_SVG_LEVEL_HEIGHT, 42 },
+        { "-1.5", IL_SVG_LEVEL_HEIGHT, -1.5 },
         { "g1043", IL_SVG_LEVEL_NONE, 0 }, { "path12", IL_SVG_LEVEL_NONE, 0 }, { "layer", IL_SVG_LEVEL_NONE, 0 },
-        { "layerA", IL_SVG_LEVEL_NONE, 0 }, { "layer12b", IL_SVG_LEVEL_NONE, 0 }, { "multilayer2", IL_SVG_LEVEL_NONE, 0 },
+        { "layerA", IL_SVG_LEVEL_NONE, 0 }, { "layer12b", IL_SVG_LEVEL_NONE, 0 },
+        { "multilayer2", IL_SVG_LEVEL_NONE, 0 },
         { "layer1.2.3", IL_SVG_LEVEL_NONE, 0 }, { "", IL_SVG_LEVEL_NONE, 0 }, { "z=1e400", IL_SVG_LEVEL_NONE, 0 },
-        { "z=1e15", IL_SVG_LEVEL_NONE, 0 }, { "12 monkeys", IL_SVG_LEVEL_NONE, 0 }, { "\xC3\xA9z=3", IL_SVG_LEVEL_NONE, 0 } };
+        { "z=1e15", IL_SVG_LEVEL_NONE, 0 }, { "12 monkeys", IL_SVG_LEVEL_NONE, 0 },
+        { "\xC3\xA9z=3", IL_SVG_LEVEL_NONE, 0 } };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
         double v = 0;
         il_svg_level_kind kind = il_svg_level_of_name(c[i].name, strlen(c[i].name), true, &v);
@@ -267,7 +272,8 @@ static void several_files_are_several_slices(void **state)
 static void files_with_heights_are_one_stack(void **state)
 {
     (void)state;
-    const char *const svg[] = { "<svg><polygon data-z='5' " SQUARE "/></svg>", "<svg><polygon data-z='1' " SQUARE "/></svg>" };
+    const char *const svg[] = { "<svg><polygon data-z='5' " SQUARE "/></svg>",
+        "<svg><polygon data-z='1' " SQUARE "/></svg>" };
     const size_t n[] = { strlen(svg[0]), strlen(svg[1]) };
     il_read_options o = IL_READ_OPTIONS_INIT;
     result r = read_bytes(svg, n, 2, &o);
@@ -296,7 +302,8 @@ static void slices_are_sorted_and_merged_and_counted(void **state)
 static void an_empty_group_with_a_height_is_an_empty_slice(void **state)
 {
     (void)state;
-    const char *svg = "<svg><g z='0'/><g z='1'><polygon " SQUARE "/></g><g z='2'><!-- nothing --></g><g z='2.5'><text>x</text></g>"
+    const char *svg = "<svg><g z='0'/><g z='1'><polygon " SQUARE "/></g><g z='2'><!-- nothing --></g><g z='2.5'>"
+        "<text>x</text></g>"
                       "<g z='3'><polygon " SQUARE "/></g><g z='4'/></svg>";
     assert_reads(read_plain(svg), svg, "stack  mm\nslice 1\n" RING "slice 2\nslice 3\n" RING "end\n");
     svg = "<svg><g/><g><polygon " SQUARE "/></g><g/><g><polygon " SQUARE "/></g></svg>";
@@ -308,21 +315,25 @@ static void an_empty_group_with_a_height_is_an_empty_slice(void **state)
 static void slic3r_heights_are_millionths_and_y_points_up(void **state)
 {
     (void)state;
-    const char *svg = "<svg " SLIC3R "><g id='layer0' slic3r:z='1.5e-07'><polygon slic3r:type='contour' " SQUARE "/></g>"
+    const char *svg = "<svg " SLIC3R "><g id='layer0' slic3r:z='1.5e-07'><polygon slic3r:type='contour' " SQUARE "/>"
+        "</g>"
                       "<g id='layer1' slic3r:z='4.5e-07'><polygon slic3r:type='contour' " SQUARE "/></g></svg>";
     assert_reads(read_plain(svg), svg, "stack  mm\nslice 0.15\nring 0 0,1 0,1 1\nslice 0.45\nring 0 0,1 0,1 1\nend\n");
     svg = "<g id='layer0' slic3r:z='2e-07'><polygon " SQUARE "/></g>"; /* a piece of one: no declaration */
     assert_reads(read_plain(svg), svg, "stack  mm\nslice 0.2\nring 0 0,1 0,1 1\nend\n");
-    svg = "<svg xmlns:q='http://slic3r.org/namespaces/slic3r'><g q:z='2e-07' data-z='7'><polygon " SQUARE "/></g></svg>";
+    svg = "<svg xmlns:q='http://slic3r.org/namespaces/slic3r'><g q:z='2e-07' data-z='7'><polygon " SQUARE "/></g>"
+        "</svg>";
     assert_reads(read_plain(svg), svg, "stack  mm\nslice 7\nring 0 0,1 0,1 1\nend\n");
-    svg = "<svg width='5mm' height='5mm' viewBox='0 0 1 1' " SLIC3R "><g slic3r:z='2e-07'><polygon " SQUARE "/></g></svg>";
+    svg = "<svg width='5mm' height='5mm' viewBox='0 0 1 1' " SLIC3R "><g slic3r:z='2e-07'><polygon " SQUARE "/></g>"
+        "</svg>";
     assert_reads(read_plain(svg), svg, "stack  mm\nslice 0.2\nring 0 0,1 0,1 1\nend\n");
 }
 
 static void relatives_of_slic3r_write_millimetres(void **state)
 {
     (void)state;
-    const char *svg = "<svg " SLIC3R "><g slic3r:z='0'><polygon " SQUARE "/></g><g slic3r:z='0.3'><polygon " SQUARE "/></g></svg>";
+    const char *svg = "<svg " SLIC3R "><g slic3r:z='0'><polygon " SQUARE "/></g><g slic3r:z='0.3'>"
+        "<polygon " SQUARE "/></g></svg>";
     assert_reads(read_plain(svg), svg, "stack  mm\nslice 0\nring 0 0,1 0,1 1\nslice 0.3\nring 0 0,1 0,1 1\nend\n");
     svg = "<svg " SLIC3R "><g slic3r:z='0.3000' slic3r:slice-z='0.1500' slic3r:layer-height='0.3'>"
           "<path d='M 0 0 1 0 1 1 z'/></g></svg>"; /* its plates have y down */
@@ -372,8 +383,10 @@ static void a_physical_size_scales_to_millimetres(void **state)
         { "height='2in' viewBox='0 0 10 25.4'", "ring 16 -8,0 -8,0 0", false },
         { "width='72pt' height='6pc' viewBox='0 0 12.7 12.7'", "ring 16 -8,0 -8,0 0", false },
         { "width='400Q' height='100mm' viewBox='0 0 100 25'", "ring 8 -4,0 -4,0 0", false },
-        { "width='400Q' height='100mm' viewBox='0 0 100 25' preserveAspectRatio='none'", "ring 8 -16,0 -16,0 0", false },
-        { "width='400Q' height='100mm' viewBox='0 0 100 25' preserveAspectRatio='xMinYMax slice'", "ring 32 -16,0 -16,0 0", false },
+        { "width='400Q' height='100mm' viewBox='0 0 100 25' preserveAspectRatio='none'", "ring 8 -16,0 -16,0 0",
+          false },
+        { "width='400Q' height='100mm' viewBox='0 0 100 25' preserveAspectRatio='xMinYMax slice'",
+          "ring 32 -16,0 -16,0 0", false },
     };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
         char svg[512], text[256];
@@ -391,7 +404,8 @@ static void the_unit_can_be_told(void **state)
     il_read_options o = IL_READ_OPTIONS_INIT;
     o.has_unit = true;
     o.unit = IL_UNIT_IN;
-    const char *svg = "<svg width='100mm' height='50mm' viewBox='0 0 200 100'><polygon z='3' points='8,4 0,4 0,0'/></svg>";
+    const char *svg = "<svg width='100mm' height='50mm' viewBox='0 0 200 100'><polygon z='3' points='8,4 0,4 0,0'/>"
+        "</svg>";
     result r = read_with(svg, o);
     assert_int_equal(r.report.n_notes, 0);
     assert_reads(r, svg, "stack  in\nslice 3\nring 8 -4,0 -4,0 0\nend\n");
@@ -401,20 +415,28 @@ static void groups_and_viewports_nest(void **state)
 {
     (void)state;
     static const struct { const char *svg, *ring; } c[] = {
-        { "<g transform='translate(10)'><g transform='scale(2)'><polygon transform='translate(0 3)' points='1,1 0,1 0,0'/></g></g>",
+        { "<g transform='translate(10)'><g transform='scale(2)'>"
+            "<polygon transform='translate(0 3)' points='1,1 0,1 0,0'/></g></g>",
           "ring 12 -8,10 -8,10 -6" },
         { "<svg x='5' y='6'><polygon points='1,1 0,1 0,0'/></svg>", "ring 6 -7,5 -7,5 -6" },
-        { "<svg x='5' y='6' width='20' height='20' viewBox='1 1 10 10'><polygon points='2,2 1,2 1,1'/></svg>", "ring 7 -8,5 -8,5 -6" },
-        { "<svg width='30' height='20' viewBox='0 0 10 10'><polygon points='1,1 0,1 0,0'/></svg>", "ring 7 -2,5 -2,5 0" },
-        { "<svg width='30' height='20' viewBox='0 0 10 10' preserveAspectRatio='xMaxYMin meet'><polygon points='1,1 0,1 0,0'/></svg>",
+        { "<svg x='5' y='6' width='20' height='20' viewBox='1 1 10 10'><polygon points='2,2 1,2 1,1'/></svg>",
+          "ring 7 -8,5 -8,5 -6" },
+        { "<svg width='30' height='20' viewBox='0 0 10 10'><polygon points='1,1 0,1 0,0'/></svg>",
+          "ring 7 -2,5 -2,5 0" },
+        { "<svg width='30' height='20' viewBox='0 0 10 10' preserveAspectRatio='xMaxYMin meet'>"
+            "<polygon points='1,1 0,1 0,0'/></svg>",
           "ring 12 -2,10 -2,10 0" },
-        { "<svg width='30' height='20' viewBox='0 0 10 10' preserveAspectRatio='none'><polygon points='1,1 0,1 0,0'/></svg>",
+        { "<svg width='30' height='20' viewBox='0 0 10 10' preserveAspectRatio='none'><polygon points='1,1 0,1 0,0'/>"
+            "</svg>",
           "ring 3 -2,0 -2,0 0" },
-        { "<svg width='30' height='20' viewBox='0 0 10 10' preserveAspectRatio='xMidYMid slice'><polygon points='1,6 0,6 0,5'/></svg>",
+        { "<svg width='30' height='20' viewBox='0 0 10 10' preserveAspectRatio='xMidYMid slice'>"
+            "<polygon points='1,6 0,6 0,5'/></svg>",
           "ring 3 -13,0 -13,0 -10" },
         { "<svg transform='scale(2)' x='1'><polygon points='1,1 0,1 0,0'/></svg>", "ring 4 -2,2 -2,2 0" },
-        { "<svg viewBox='0 0 50 50'><polygon points='1,1 0,1 0,0'/></svg>", "ring 2 -2,0 -2,0 0" }, /* 100 % of the outer 100 */
-        { "<svg width='50%' height='50%' viewBox='0 0 10 10'><polygon points='1,1 0,1 0,0'/></svg>", "ring 5 -5,0 -5,0 0" },
+        { "<svg viewBox='0 0 50 50'><polygon points='1,1 0,1 0,0'/></svg>", "ring 2 -2,0 -2,0 0" },
+          /* 100 % of the outer 100 */
+        { "<svg width='50%' height='50%' viewBox='0 0 10 10'><polygon points='1,1 0,1 0,0'/></svg>",
+          "ring 5 -5,0 -5,0 0" },
         { "<a><switch><polygon points='1,1 0,1 0,0'/></switch></a>", "ring 1 -1,0 -1,0 0" },
     };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
@@ -470,7 +492,8 @@ static void open_lines_join_where_they_meet(void **state)
         { "<path d='M4 4L0 4M0 0L4 0M4 0L4 4M0 4L0 0'/>", "ring 4 4,0 4,0 0,4 0\n", 2, 0 },
         { "<line x2='4'/><polygon points='9,9 8,9 8,8'/>", "ring 9 9,8 9,8 8\n", 1, 1 },
         { "<polyline points='0,0 4,0 4,4'/><line x1='4' y1='4' x2='9' y2='9'/>", "ring 0 0,4 0,4 4\n", 2, 1 },
-        { "<line x2='1'/><line x1='1' x2='1' y2='1'/><line x1='1' y1='1'/><line x2='-5'/>", "ring 0 0,1 0,1 1\n", 2, 1 },
+        { "<line x2='1'/><line x1='1' x2='1' y2='1'/><line x1='1' y1='1'/><line x2='-5'/>", "ring 0 0,1 0,1 1\n", 2,
+          1 },
         /* two triangles that share a corner */
         { "<path d='M0 0L1 0M1 0L1 1M1 1L0 0M0 0L-1 0M-1 0L-1-1M-1-1L0 0'/>", NULL, 2, 0 },
     };
@@ -495,10 +518,14 @@ static void open_lines_join_where_they_meet(void **state)
 static void what_draws_nothing_is_passed_over(void **state)
 {
     (void)state;
-    const char *svg = "<?xml version='1.0'?><!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.0//EN' 'http://127.0.0.1/svg10.dtd' [ <!ELEMENT x ANY> ]>"
-        "<!-- <polygon> --><svg xmlns='http://www.w3.org/2000/svg' xmlns:rdf='r'><style>polygon { fill: red }</style><metadata><rdf:x><g/></rdf:x></metadata>"
-        "<rdf:polygon points='x'/><defs><polygon points='bad'/></defs><symbol><polygon points='bad'/></symbol><clipPath><rect width='-1'/></clipPath>"
-        "<mask><g z='bad'/></mask><pattern/><marker/><?php polygon ?><script><![CDATA[ if (a < b) <polygon/> ]]></script>"
+    const char *svg = "<?xml version='1.0'?>"
+        "<!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.0//EN' 'http://127.0.0.1/svg10.dtd' [ <!ELEMENT x ANY> ]>"
+        "<!-- <polygon> --><svg xmlns='http://www.w3.org/2000/svg' xmlns:rdf='r'><style>polygon { fill: red }</style>"
+        "<metadata><rdf:x><g/></rdf:x></metadata>"
+        "<rdf:polygon points='x'/><defs><polygon points='bad'/></defs><symbol><polygon points='bad'/></symbol>"
+        "<clipPath><rect width='-1'/></clipPath>"
+        "<mask><g z='bad'/></mask><pattern/><marker/><?php polygon ?><script><![CDATA[ if (a < b) <polygon/> ]]>"
+        "</script>"
         "<g z='0'><polygon " SQUARE "/></g></svg>";
     result r = read_plain(svg);
     assert_int_equal(r.report.n_skipped, 0);
@@ -508,9 +535,11 @@ static void what_draws_nothing_is_passed_over(void **state)
 static void what_would_draw_something_is_counted(void **state)
 {
     (void)state;
-    const char *svg = "<svg><g z='0'><polygon " SQUARE "/>\n<use/><text>a</text><text>b</text><image/><foreignObject/><polygn " SQUARE "/>"
+    const char *svg = "<svg><g z='0'><polygon " SQUARE "/>\n<use/><text>a</text><text>b</text><image/>"
+        "<foreignObject/><polygn " SQUARE "/>"
         "<polygon/><polygon points=' '/><path d=''/><path d='M1 1'/><circle/><rect width='100%' height='1'/>"
-        "<g display='none'><polygon points='bad'/></g><g style='fill:none; display : none'><g/></g><g clip-path='url(#a)' style='mask:url(#b)'/></g></svg>";
+        "<g display='none'><polygon points='bad'/></g><g style='fill:none; display : none'><g/></g>"
+        "<g clip-path='url(#a)' style='mask:url(#b)'/></g></svg>";
     result r = read_plain(svg);
     assert_int_equal(r.report.n_skipped, 16);
     assert_int_equal(r.report.skip[0].line, 2);
@@ -554,7 +583,8 @@ static void errors_name_line_and_reason(void **state)
         { "<svg>\n<g data-z=''/></svg>", 2, "data-z: a height" },
         { "<svg><polygon z='0' points='0,0 1e15,0 1,1'/></svg>", 1, "not below 1e15" },
         { "<svg><polygon z='0' points='0,0 inf,0 1,1'/></svg>", 1, "finite" },
-        { "<svg><g transform='scale(1e200)'><g transform='scale(1e200)'><polygon z='0' points='0,0 1,0 1,1'/></g></g></svg>", 1, "1e15" },
+        { "<svg><g transform='scale(1e200)'><g transform='scale(1e200)'><polygon z='0' points='0,0 1,0 1,1'/></g></g>"
+            "</svg>", 1, "1e15" },
         { "<svg><g z='1'><polygon " SQUARE "/></g>\n<polygon " SQUARE "/></svg>", 2, "no height here" },
         { "<svg><circle z='0' r='-1'/></svg>", 1, "r: must not be negative" },
         { "<svg><circle z='0' r='1mm'/></svg>", 1, "plain number" },
@@ -563,11 +593,13 @@ static void errors_name_line_and_reason(void **state)
         { "<svg viewBox='0 0 1 1' width='-1mm'/>", 1, "width: must be above 0" },
         { "<svg viewBox='0 0 1 1' preserveAspectRatio='xMid'/>", 1, "xMidYMid" },
         { "<svg><svg viewBox='0 0 1 1'/></svg>", 1, "width and height" },
-        { "<svg/>", 0, "no contour" }, { "<svg><text>1</text></svg>", 0, "no contour" }, { "<svg><g z='1'/></svg>", 0, "no contour" },
+        { "<svg/>", 0, "no contour" }, { "<svg><text>1</text></svg>", 0, "no contour" },
+        { "<svg><g z='1'/></svg>", 0, "no contour" },
         { "", 0, "no element" }, { "  \n ", 0, "no element" }, { "<!-- -->", 0, "no element" },
         { "<html>\n<svg/></html>", 1, "<html> is no SVG element" },
         { "isoloft 1\nunit mm\n", 1, "text outside" }, { "<svg/>\nhello", 2, "text outside" },
-        { "<svg>\n<g>\n</svg>", 3, "not well-formed" }, { "<svg>\n<g>\n<g></g>\n", 2, "the file ends inside this element" },
+        { "<svg>\n<g>\n</svg>", 3, "not well-formed" },
+        { "<svg>\n<g>\n<g></g>\n", 2, "the file ends inside this element" },
         { "<svg>\n<defs>\n<g>\n", 2, "the file ends inside" },
         { "<svg></svg>\n</g>", 2, "an end tag without its start tag" }, { "</g>", 1, "an end tag without" },
         { "<svg/></isoloft-input><svg/>", 1, "an end tag without its start tag" },
@@ -575,7 +607,8 @@ static void errors_name_line_and_reason(void **state)
         { "<svg>\n<!-- x", 2, "the file ends inside" }, { "<svg>\n<polygon a='<'/></svg>", 2, "'<' inside a tag" },
         { "<svg>\n<polygon a='1' a='1'/></svg>", 2, "not well-formed" }, { "<svg>&nbsp;</svg>", 1, "not well-formed" },
         { "<svg><polygon points='&x;'/></svg>", 1, "not well-formed" }, { "<svg>\n\xFF</svg>", 2, "not well-formed" },
-        { "<svg a=1/>", 1, "not well-formed" }, { "<!DOCTYPE svg [\n<!ENTITY a 'b'>]><svg>&a;</svg>", 1, "declares entities" },
+        { "<svg a=1/>", 1, "not well-formed" },
+        { "<!DOCTYPE svg [\n<!ENTITY a 'b'>]><svg>&a;</svg>", 1, "declares entities" },
         { "<!DOCTYPE svg [<!ENTITY % a SYSTEM 'file:///etc/passwd'> %a;]><svg/>", 1, "declares entities" },
         { "\xFF\xFE<\0s\0", 1, "UTF-16" },
     };
@@ -595,9 +628,11 @@ static void names_in_errors_are_made_printable(void **state)
 static void other_encodings_are_read(void **state)
 {
     (void)state;
-    const char *svg = "<?xml version='1.0' encoding='ISO-8859-1'?><svg><title>\xE9</title><polygon z='0' " SQUARE "/></svg>";
+    const char *svg = "<?xml version='1.0' encoding='ISO-8859-1'?><svg><title>\xE9</title><polygon z='0' " SQUARE "/>"
+        "</svg>";
     assert_reads(read_plain(svg), svg, "stack \xC3\xA9 mm\nslice 0\n" RING "end\n");
-    svg = "\xEF\xBB\xBF<?xml version='1.0' encoding='utf-8'?><svg><title>\xC3\xA9</title><polygon z='0' " SQUARE "/></svg>";
+    svg = "\xEF\xBB\xBF<?xml version='1.0' encoding='utf-8'?><svg><title>\xC3\xA9</title><polygon z='0' " SQUARE "/>"
+        "</svg>";
     assert_reads(read_plain(svg), svg, "stack \xC3\xA9 mm\nslice 0\n" RING "end\n");
 }
 
@@ -683,12 +718,14 @@ static void many_small_elements_are_linear(void **state)
 {
     (void)state;
     double start = seconds();
-    char *svg = repeat("<svg>", "<line z='0' x2='1'/><line z='0' x1='1' y1='1'/><line z='0' x1='1' x2='1' y2='1'/><polygon z='1' points='0 0 1 0 1 1'/>", 50000, "</svg>");
+    char *svg = repeat("<svg>", "<line z='0' x2='1'/><line z='0' x1='1' y1='1'/><line z='0' x1='1' x2='1' y2='1'/>"
+        "<polygon z='1' points='0 0 1 0 1 1'/>", 50000, "</svg>");
     result r = read_plain(svg);
     assert_int_equal(r.status, IL_OK);
     free_result(&r);
     free(svg);
-    svg = repeat("<svg><g z='0'>", "<g xmlns='http://www.w3.org/2000/svg'><path d='M0 0C0 1 1 1 1 0'/></g>", 50000, "</g></svg>");
+    svg = repeat("<svg><g z='0'>", "<g xmlns='http://www.w3.org/2000/svg'><path d='M0 0C0 1 1 1 1 0'/></g>", 50000,
+        "</g></svg>");
     r = read_plain(svg);
     assert_int_equal(r.status, IL_OK);
     free_result(&r);
@@ -704,7 +741,8 @@ static void a_chain_of_lines_is_joined_in_linear_time(void **state)
     assert_non_null(svg);
     at += (size_t)sprintf(svg, "<g z='0'>");
     for (size_t i = n; i-- > 0;) /* backwards, and it never closes */
-        at += (size_t)sprintf(svg + at, "<line x1='%zu' x2='%zu' y1='%zu' y2='%zu'/>", i, i + 1, i * i % 7, (i + 1) * (i + 1) % 7);
+        at += (size_t)sprintf(svg + at, "<line x1='%zu' x2='%zu' y1='%zu' y2='%zu'/>", i, i + 1, i * i % 7,
+            (i + 1) * (i + 1) % 7);
     at += (size_t)sprintf(svg + at, "<polygon " SQUARE "/></g>");
     double start = seconds();
     result r = read_plain(svg);
@@ -716,11 +754,14 @@ static void a_chain_of_lines_is_joined_in_linear_time(void **state)
 }
 
 static const char *const everything =
-    "<?xml version='1.0' encoding='UTF-8'?>\n<!DOCTYPE svg PUBLIC 'a' \"b\" [\n<!-- ' -->\n<!ELEMENT a (b)>\n]>\n<!-- a > b -->\n"
+    "<?xml version='1.0' encoding='UTF-8'?>\n<!DOCTYPE svg PUBLIC 'a' \"b\" [\n<!-- ' -->\n<!ELEMENT a (b)>\n]>"
+    "\n<!-- a > b -->\n"
     "<svg xmlns='http://www.w3.org/2000/svg' " INKSCAPE " width='10mm' height='10mm' viewBox='0 0 20 20'>\r\n"
     "<title>All &amp; every</title><g inkscape:label='z=1 > 0' id=\"layer1\"><polygon points='0,0\r\n1,0 1,1'/></g>\n"
-    "<g data-z='0' transform='translate(1 2)'><path d='M0 0C0 1 1 1 1 0ZM3 3A1 1 0 0 0 4 4L5 9'/><text>x &gt; y</text><circle r='3'/></g>"
-    "<g data-z='3'><line x2='1'/><line x1='1' y1='1'/><line x1='1' x2='1' y2='1'/></g><![CDATA[ <g> ]]></svg>\n<?end?>\n";
+    "<g data-z='0' transform='translate(1 2)'><path d='M0 0C0 1 1 1 1 0ZM3 3A1 1 0 0 0 4 4L5 9'/><text>"
+    "x &gt; y</text><circle r='3'/></g>"
+    "<g data-z='3'><line x2='1'/><line x1='1' y1='1'/><line x1='1' x2='1' y2='1'/></g><![CDATA[ <g> ]]></svg>"
+    "\n<?end?>\n";
 
 /* A source read through a pipe that gives single bytes must not matter: the
  * reader sees the same. */
@@ -810,10 +851,14 @@ static void svg_is_told_by_its_first_bytes(void **state)
 {
     (void)state;
     static const struct { const char *head; bool is_svg; } c[] = {
-        { "<svg>", true }, { "<svg:svg xmlns:svg='x'>", true }, { "\xEF\xBB\xBF \n<?xml version='1.0'?><!-- <kml> --><svg/>", true },
-        { "<?xml?>\n<!DOCTYPE svg PUBLIC", true }, { "<!DOCTYPE svg><!-- long", true }, { "<polygon points=''/>", true }, { "<g>", true },
-        { "<path\nd=''/>", true }, { "<g", true }, { "<gpx>", false }, { "<kml>", false }, { "<html><svg>", false }, { "isoloft 1", false },
-        { "", false }, { "solid x", false }, { "<!-- only", false }, { "<?xml version='1.0'?><NativeDicomModel/>", false } };
+        { "<svg>", true }, { "<svg:svg xmlns:svg='x'>", true },
+        { "\xEF\xBB\xBF \n<?xml version='1.0'?><!-- <kml> --><svg/>", true },
+        { "<?xml?>\n<!DOCTYPE svg PUBLIC", true }, { "<!DOCTYPE svg><!-- long", true },
+        { "<polygon points=''/>", true }, { "<g>", true },
+        { "<path\nd=''/>", true }, { "<g", true }, { "<gpx>", false }, { "<kml>", false }, { "<html><svg>", false },
+        { "isoloft 1", false },
+        { "", false }, { "solid x", false }, { "<!-- only", false },
+        { "<?xml version='1.0'?><NativeDicomModel/>", false } };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++)
         if (il_reader_svg.probe((const unsigned char *)c[i].head, strlen(c[i].head)) != c[i].is_svg)
             fail_msg("%s", c[i].head);

@@ -116,8 +116,8 @@ static double bend(const double *q, int n)
 
 /* Steps so that every chord lies within the tolerance of a Bezier curve of
  * degree D: d (d - 1) / 8 * bend / n^2 <= tolerance (Wang 1984).  The relative
- * part of the tolerance bounds the count: bend is at most 4 sizes, so n is at
- * most sqrt(3/4 * 4 / 1e-6) + 1 = 1734 for a cubic. */
+ * part of the tolerance bounds the count: bend is at most 2 sizes, so n is at
+ * most sqrt(3/4 * 2 / 1e-6) = 1225 for a cubic. */
 static int bezier_steps(const il_svg_pen *p, const double *q, int degree)
 {
     double size = box_diagonal(q, degree + 1);

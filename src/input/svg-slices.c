@@ -163,13 +163,15 @@ static il_status set_heights(il_svg_slices *s, il_source *const *source, size_t 
     const il_svg_part *with = find_with_height(s), *without = find_contour_without(s);
     bool counted = false;
     if (with && without)
-        return fail_at(without, source, err, "no height here (data-z, z, slic3r:z, or a group named like layer12 or z=3.5), though other contours have one");
+        return fail_at(without, source, err, "no height here (data-z, z, slic3r:z, or a group named like layer12 or "
+            "z=3.5), though other contours have one");
     if (with)
         drop_empty_without(s);
     else
         number_parts(s, n_files);
     if (without && !o->has_spacing && !is_one_slot(s))
-        return fail_at(without, source, err, "no heights: give --spacing to count slices from here, or write data-z on the groups or elements");
+        return fail_at(without, source, err, "no heights: give --spacing to count slices from here, or write data-z "
+            "on the groups or elements");
     for (size_t i = 0; i < s->n; i++) {
         s->part[i].z = height(&s->part[i], o);
         counted = counted || s->part[i].level.kind == IL_SVG_LEVEL_ORDINAL;
@@ -267,7 +269,9 @@ static void find_extent(const il_svg_slices *s, size_t *first, size_t *end)
         --*end;
 }
 
-static il_status send_parts(il_svg_slices *s, const il_stack_head *head, il_sink *sink, il_error *err)
+/* What a stage finds wrong with a slice names the file it came from. */
+static il_status send_parts(il_svg_slices *s, const il_stack_head *head, il_source *const *source,
+                            il_sink *sink, il_error *err)
 {
     size_t first, end;
     find_extent(s, &first, &end);
@@ -276,6 +280,8 @@ static il_status send_parts(il_svg_slices *s, const il_stack_head *head, il_sink
         s->part[i].slice.z = s->part[i].z;
         st = sink->slice(sink, &s->part[i].slice, err);
         il_slice_free(&s->part[i].slice);
+        if (st == IL_E_INPUT)
+            il_error_set_file(err, il_source_name(source[s->part[i].file]));
     }
     if (st == IL_OK)
         st = sink->stack_end(sink, err);
@@ -297,5 +303,5 @@ il_status il_svg_slices_send(il_svg_slices *s, const il_stack_head *head, il_sou
     st = merge_parts(s, report, err);
     if (st == IL_OK)
         st = join_lines(s, source, report, err);
-    return st == IL_OK ? send_parts(s, head, sink, err) : st;
+    return st == IL_OK ? send_parts(s, head, source, sink, err) : st;
 }

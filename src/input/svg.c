@@ -280,7 +280,8 @@ static bool has_at(const char *s, size_t n, size_t i, const char *mark)
 
 static bool is_svg_name(const char *s, size_t n)
 {
-    static const char *const names[] = { "svg", "g", "polygon", "polyline", "path", "line", "rect", "circle", "ellipse" };
+    static const char *const names[] = { "svg", "g", "polygon", "polyline", "path", "line", "rect", "circle",
+        "ellipse" };
     if (has_at(s, n, 0, "svg:"))
         s += 4, n -= 4;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {

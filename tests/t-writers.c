@@ -585,7 +585,7 @@ static void a_header_gives_no_commands(void **state)
     assert_int_equal(send_whole(s, &h, 0, 0, NULL), IL_OK);
     finished(&il_writer_stl, s, o);
     size_t n;
-    assert_memory_equal(il_output_memory(o, &n), "isoloft COLOR_abcd\\x1b\0", 23);
+    assert_memory_equal(il_output_memory(o, &n), "STL isoloft COLOR_abcd\\x1b\0", 27);
     il_output_discard(o);
     il_stack_head_free(&h);
 }

@@ -112,7 +112,8 @@ class Canvas:
                     continue
                 z = u * p[0][2] + v * p[1][2] + w * p[2][2]
                 if z > self.depth[y * self.w + x]:
-                    self.dot(x, y, z, shade([u * normals[0][i] + v * normals[1][i] + w * normals[2][i] for i in range(3)]))
+                    normal = [u * normals[0][i] + v * normals[1][i] + w * normals[2][i] for i in range(3)]
+                    self.dot(x, y, z, shade(normal))
 
     def write(self, path):
         rows = bytearray()

@@ -73,9 +73,9 @@ grep -n -E "$(printf '\t')| \$|$(printf '\r')" $sources $headers $tests $example
 none "no tabs, no blanks at the end of a line"
 
 for f in $sources $headers $tests; do
-    wc -l "$f" | awk -v most="$(case $f in src/*) echo 700 ;; *) echo 1000 ;; esac)" '$1 > most { print $2 ": " $1 " lines" }'
+    wc -l "$f" | awk -v most="$(case $f in src/*) echo 700 ;; *) echo 1200 ;; esac)" '$1 > most { print $2 ": " $1 " lines" }'
 done >"$found"
-none "a file keeps to 700 lines, a test to 1000"
+none "a file keeps to 700 lines, a test to 1200"
 
 awk 'FNR == 1 { begin = 0 }
     /^{/ { begin = FNR }
@@ -89,8 +89,8 @@ awk 'FNR == 1 { begin = 0 }
                               if (a[int(NR / 2)] > 16) print "the median is " a[int(NR / 2)] }' >"$found"
 none "half of the functions keep to 16 lines, nine in ten to 50"
 
-awk 'length($0) > 120 { print FILENAME ":" FNR ": " length($0) }' $sources $headers $tests $examples >"$found"
-none "a line keeps to 120 characters"
+awk 'length($0) > 140 { print FILENAME ":" FNR ": " length($0) }' $sources $headers $tests $examples >"$found"
+none "a line keeps to 140 characters"
 
 # A layer uses model, base and bridge and none of its neighbours; only cli and api bring them together.
 awk -F'"' '/^#[ \t]*include[ \t]*"/ {
@@ -152,7 +152,8 @@ else
 fi
 
 for f in $sources $headers $tests $examples $(find tests -name '*.sh'); do
-    grep -q -F "$f" Makefile.am || echo "$f"
+    case $f in tests/t-*.c | tests/bench/*.c) f=${f%.c} ;; esac # where automake knows that it is FILE.c
+    grep -q -E "^[^#]*$f( |$)" Makefile.am || echo "$f"
 done >"$found"
 none "every file is in Makefile.am, so in the distribution"
 
@@ -187,7 +188,7 @@ else
     skip "manual pages pass a lint" "neither mandoc nor groff is installed"
 fi
 
-for word in $(grep -o -E '(examples|formats|man|src|tests)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' README); do
-    [ -e "$word" ] || echo "README: $word is not there"
+for word in $(grep -o -E '(examples|formats|man|src|tests)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' README.md); do
+    [ -e "$word" ] || echo "README.md: $word is not there"
 done >"$found"
 none "files that the README names are there"

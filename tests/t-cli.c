@@ -37,7 +37,8 @@ static void a_number_used_twice_is_told_apart(void **state)
     (void)state;
     static const struct { long number; const char *name, *file; } c[] = {
         { 1, "2-X", "0001-2-X.stl" }, { 1, "X", "0001-3-X.stl" }, { 1, "X", "0001-4-X.stl" },
-        { 2, "A", "0002-A.stl" }, { 2, "B", "0002-2-B.stl" }, { 2, "2-B", "0002-3-2-B.stl" }, { 1, "4-X", "0001-5-4-X.stl" } };
+        { 2, "A", "0002-A.stl" }, { 2, "B", "0002-2-B.stl" }, { 2, "2-B", "0002-3-2-B.stl" },
+        { 1, "4-X", "0001-5-4-X.stl" } };
     il_keymap used = IL_KEYMAP_INIT;
     for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
         char file[IL_FILENAME_MAX];
@@ -76,8 +77,8 @@ static void no_two_file_names_are_equal(void **state)
 static void an_extension_stands_behind_the_last_point_of_the_last_part(void **state)
 {
     (void)state;
-    static const char *const c[][2] = { { "a.stl", "stl" }, { "a", "" }, { "d.x/a", "" }, { ".stl", "" }, { "a.b.PLY", "PLY" },
-                                        { "/dev/full", "" }, { "d/.hidden", "" }, { "a.", "" } };
+    static const char *const c[][2] = { { "a.stl", "stl" }, { "a", "" }, { "d.x/a", "" }, { ".stl", "" },
+                                        { "a.b.PLY", "PLY" }, { "/dev/full", "" }, { "d/.hidden", "" }, { "a.", "" } };
     for (size_t k = 0; k < sizeof c / sizeof *c; k++)
         assert_string_equal(il_filename_extension(c[k][0]), c[k][1]);
 }
@@ -191,7 +192,8 @@ static il_status select_from(const char *pattern, counter *c, il_error *err)
 static void a_pattern_lets_matching_stacks_through(void **state)
 {
     (void)state;
-    static const struct { const char *pattern; int stacks; } c[] = { { "Lung*", 2 }, { "*", 4 }, { "Heart", 1 }, { "", 1 }, { "[HL]*t", 3 } };
+    static const struct { const char *pattern; int stacks; } c[] = {
+        { "Lung*", 2 }, { "*", 4 }, { "Heart", 1 }, { "", 1 }, { "[HL]*t", 3 } };
     for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
         counter n;
         il_error err = IL_ERROR_INIT;

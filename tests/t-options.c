@@ -27,8 +27,8 @@ static void operands_and_options_stand_in_any_order(void **state)
     char buf[400];
     il_options o;
     il_error err;
-    static const char *const lines[] = { "mesh a.loft -t ply -o out", "-t ply mesh -o out a.loft", "-tply -oout mesh a.loft",
-                                         "--output=out mesh --output-format ply -- a.loft" };
+    static const char *const lines[] = { "mesh a.loft -t ply -o out", "-t ply mesh -o out a.loft",
+                                         "-tply -oout mesh a.loft", "--output=out mesh --output-format ply -- a.loft" };
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         assert_int_equal(PARSE(o, lines[k]), IL_OK);
         assert_int_equal(o.verb, IL_VERB_MESH);
@@ -112,12 +112,13 @@ static void what_makes_no_sense_is_a_usage_error(void **state)
     static const char *const lines[] = {
         "--frame x", "--no-such x", "--no-output x", "-z x", "x -o", "x --threads", "x --threads 0", "x --threads 257",
         "x --threads 1x", "x --threads=-1", "x --threads 99999999999999999999", "x --spacing 0", "x --spacing -1",
-        "x --spacing nan", "x --spacing 1e15", "x --spacing 1,5", "x --unit parsec", "x --to deg", "x --to", "x --cap none",
-        "x --matcher ffd", "x --matcher x", "x --progress=often", "x --strict=yes", "x --no-strict=yes", "x --help=x",
-        "x -t svg", "x -f stp", "x -o y.zip", "x -t loft --matcher", "read x --cap dome", "check x -o y", "info x -t stl",
-        "read x -t stl", "read x -o y.stl", "mesh x -t loft", "mesh x y", "match x y", "check x y", "plot", "plot x", "- -",
-        "x -o y --pairs y", "x --pairs -", "x -o - --pairs -", "x -o y.stl --json=y.stl", "read x --pairs y",
-        "match --spacing 1", "--output= x", "x --json=" };
+        "x --spacing nan", "x --spacing 1e15", "x --spacing 1,5", "x --unit parsec", "x --to deg", "x --to",
+        "x --cap none", "x --groups x", "read x --groups slab", "check --strict x", "x --matcher ffd", "x --matcher x",
+        "x --progress=often", "x --strict=yes", "x --no-strict=yes", "x --help=x", "x -t svg", "x -f stp", "x -o y.zip",
+        "x -t loft --matcher", "read x --cap dome", "check x -o y", "info x -t stl", "read x -t stl", "read x -o y.stl",
+        "mesh x -t loft", "mesh x y", "match x y", "check x y", "plot", "plot x", "- -", "x -o y --pairs y",
+        "x --pairs -", "x -o - --pairs -", "x -o y.stl --json=y.stl", "read x --pairs y", "match --spacing 1",
+        "--output= x", "x --json=" };
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         if (PARSE(o, lines[k]) != IL_E_USAGE)
             fail_msg("accepted: %s", lines[k]);
@@ -133,8 +134,10 @@ static void values_reach_their_place(void **state)
     char buf[400];
     il_options o;
     il_error err;
-    assert_int_equal(PARSE(o, "x --spacing 2.5 --unit in --to m --threads 3 --cap dome --stack L* --max-depth 7 --max-line 100 "
-                              "--max-points 12 --flatness 0.01 --matcher none --pairs p -f svg --progress=auto"), IL_OK);
+    assert_int_equal(PARSE(o, "x --spacing 2.5 --unit in --to m --threads 3 --cap dome --stack L* --max-depth 7 "
+                              "--max-line 100 --max-points 12 --flatness 0.01 --matcher none --pairs p -f svg "
+                              "--progress=auto --groups slab"), IL_OK);
+    assert_true(o.groups_by_slab);
     assert_true(o.read.has_spacing && o.read.spacing == 2.5 && o.read.has_unit && o.read.unit == IL_UNIT_IN);
     assert_true(o.convert_unit && o.to_unit == IL_UNIT_M && o.threads == 3 && o.cap == IL_CAP_DOME);
     assert_true(o.read.max_depth == 7 && o.read.max_line == 100 && o.read.max_points == 12 && o.read.flatness == 0.01);

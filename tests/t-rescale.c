@@ -41,7 +41,8 @@ static il_status keep_end(il_sink *s, il_error *err)
     return IL_OK;
 }
 
-static il_status rescale(il_unit from, il_unit to, double z, double x, double y, keeper *k, il_report *report, il_error *err)
+static il_status rescale(il_unit from, il_unit to, double z, double x, double y,
+                         keeper *k, il_report *report, il_error *err)
 {
     *k = (keeper){ .sink = { keep_begin, keep_slice, keep_pair, keep_end, keep_end } };
     il_sink *r = NULL;

@@ -45,7 +45,7 @@ static void write_text(const void *self, il_output *out)
     verdict_row(out, "closed", a->closed, a->boundary_edges, "edges of one triangle only");
     verdict_row(out, "manifold", a->manifold, a->nonmanifold_edges + a->nonmanifold_vertices,
                 "edges of more than two triangles, or vertices of several fans");
-    verdict_row(out, "oriented", a->oriented, a->inconsistent_edges, "edges that both triangles run along the same way");
+    verdict_row(out, "oriented", a->oriented, a->inconsistent_edges, "edges that both sides run along alike");
     il_table_row(out, "outward", "%s", yes_or_no(a->outward));
     if (a->self_intersections > 0)
         il_table_row(out, "crossings", "%s%zu pairs of triangles, the first are %lu and %lu",

@@ -10,7 +10,8 @@ il_status il_command_put_json(const il_options *o, bool to_stdout, void (*write)
         return IL_OK;
     bool named = o->json_path || to_stdout;
     il_output *out = NULL;
-    il_status st = named ? il_output_open(&out, o->json_path ? o->json_path : "-", err) : il_output_to_memory(&out, err);
+    il_status st = named ? il_output_open(&out, o->json_path ? o->json_path : "-", err)
+                         : il_output_to_memory(&out, err);
     if (st != IL_OK)
         return st;
     write(self, out);

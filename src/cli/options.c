@@ -20,14 +20,16 @@ static il_status set_from(il_options *o, const char *value, bool on, il_error *e
 {
     (void)on;
     o->from = il_reader_named(value);
-    return o->from ? IL_OK : il_fail(err, IL_E_USAGE, 0, "no input format is called '%.40s' (--formats lists them)", value);
+    return o->from ? IL_OK
+        : il_fail(err, IL_E_USAGE, 0, "no input format is called '%.40s' (--formats lists them)", value);
 }
 
 static il_status set_to(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
     o->to = il_writer_named(value);
-    return o->to ? IL_OK : il_fail(err, IL_E_USAGE, 0, "no output format is called '%.40s' (--formats lists them)", value);
+    return o->to ? IL_OK
+        : il_fail(err, IL_E_USAGE, 0, "no output format is called '%.40s' (--formats lists them)", value);
 }
 
 static il_status set_path(const char **path, const char *value, const char *option, il_error *err)
@@ -273,7 +275,8 @@ const il_option il_option_table[] = {
     { 0, "stack", "PATTERN", IL_OPTION_VALUE, STREAMS,
       "only stacks whose name matches", "only stacks whose name matches", set_stack },
     { 0, "unit", "U", IL_OPTION_VALUE, READERS,
-      "what the input's numbers mean: um mm cm m km in ft", "what the input's numbers mean: um mm ... ft deg", set_unit },
+      "what the input's numbers mean: um mm cm m km in ft",
+      "what the input's numbers mean: um mm ... ft deg", set_unit },
     { 0, "to", "U", IL_OPTION_VALUE, STREAMS,
       "convert lengths to unit U", "convert lengths to unit U", set_to_unit },
     { 0, "spacing", "D", IL_OPTION_VALUE, READERS,
@@ -368,7 +371,8 @@ static il_status parse_long(il_options *o, int argc, char **argv, int *i, il_err
             p = NULL;
     }
     if (!p)
-        return il_fail(err, IL_E_USAGE, 0, "there is no option '--%.*s' (--help lists them)", n < 60 ? (int)n : 60, name);
+        return il_fail(err, IL_E_USAGE, 0, "there is no option '--%.*s' (--help lists them)",
+                       n < 60 ? (int)n : 60, name);
     if (value && (!on || p->kind == IL_OPTION_SWITCH || p->kind == IL_OPTION_ACTION))
         return il_fail(err, IL_E_USAGE, 0, "--%s%s takes no value", on ? "" : "no-", p->name);
     if (p->kind == IL_OPTION_VALUE && !value) {
@@ -415,7 +419,7 @@ static bool parse_verb(il_options *o, const char *word)
 static il_status take_operand(il_options *o, const char *word, bool first, il_error *err)
 {
     if (first && strcmp(word, "plot") == 0)
-        return il_fail(err, IL_E_USAGE, 0, "this version does not draw yet: 'plot' is kept for that (a file of that name: ./plot)");
+        return il_fail(err, IL_E_USAGE, 0, "this version does not draw yet, but 'plot' is kept for it (file: ./plot)");
     if (first && parse_verb(o, word))
         return IL_OK;
     if (!il_grow(&o->input, &o->cap_inputs, o->n_inputs + 1, sizeof *o->input))
@@ -433,7 +437,8 @@ static il_status settle_format(il_options *o, il_error *err)
     bool named = o->output && strcmp(o->output, "-") != 0 && !il_destination_is_folder(o->output);
     const char *extension = named ? il_filename_extension(o->output) : "";
     if (!o->to && *extension && !(o->to = il_writer_for_path(o->output)))
-        return il_fail(err, IL_E_USAGE, 0, "no output format has the extension '.%.40s' (--formats lists them; -t names one)", extension);
+        return il_fail(err, IL_E_USAGE, 0, "no output format has the extension '.%.40s' (--formats lists them)",
+                       extension);
     if (!o->to)
         o->to = contours ? &il_writer_loft : &il_writer_stl;
     if (contours && !o->to->contours_new)

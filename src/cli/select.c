@@ -42,7 +42,8 @@ static il_status on_end(il_sink *self, il_error *err)
 {
     select_stage *s = (select_stage *)self;
     if (s->n_passed == 0)
-        return il_fail(err, IL_E_INPUT, 0, "none of the %zu stacks has a name that matches '%.100s'", s->n_dropped, s->pattern);
+        return il_fail(err, IL_E_INPUT, 0, "none of the %zu stacks has a name that matches '%.100s'",
+                       s->n_dropped, s->pattern);
     return s->next->end(s->next, err);
 }
 

@@ -66,7 +66,8 @@ static void contour_rows(il_output *out, const il_stack_account *s)
         il_number_format(low, s->box[2]);
         il_number_format(high, s->box[5]);
         il_table_row(out, "slices", "%zu, z from %s to %s %s", s->slices, low, high, unit);
-        il_table_row(out, "size", "%.6g x %.6g x %.6g %s", s->box[3] - s->box[0], s->box[4] - s->box[1], s->box[5] - s->box[2], unit);
+        il_table_row(out, "size", "%.6g x %.6g x %.6g %s", s->box[3] - s->box[0], s->box[4] - s->box[1],
+                     s->box[5] - s->box[2], unit);
     } else {
         il_table_row(out, "slices", "%zu, all empty", s->slices);
     }
@@ -183,8 +184,8 @@ static void say_report(const il_stack_account *s, const char *label, il_voice *v
     if (r->n_skips > shown)
         il_message_note(v, "skipped: %zu parts in all (-v lists more)", r->n_skipped);
     if (s->n_gaps > 0)
-        il_message_note(v, "%s: %zu gap%s wider than 2.5 usual spacings, the first from z %.9g to %.9g", label, s->n_gaps,
-                        s->n_gaps == 1 ? "" : "s", s->gap[0].below, s->gap[0].above);
+        il_message_note(v, "%s: %zu gap%s wider than 2.5 usual spacings, the first from z %.9g to %.9g",
+                        label, s->n_gaps, s->n_gaps == 1 ? "" : "s", s->gap[0].below, s->gap[0].above);
 }
 
 static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
@@ -192,9 +193,11 @@ static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
     const il_mesh_facts *f = &s->facts;
     const char *unit = il_unit_name(s->unit);
     il_message_detail(v, "%s: %zu slices, %zu rings, %zu points", label, s->slices, s->rings, s->points);
-    if (s->has_mesh)
-        il_message_detail(v, "%s: %zu vertices, %zu triangles; %ld components, genus %ld; area %.6g %s^2, volume %.6g %s^3; certified",
-                          label, f->vertices, f->triangles, f->components, f->genus, f->area, unit, f->volume, unit);
+    if (s->has_mesh) {
+        il_message_detail(v, "%s: %zu vertices, %zu triangles, certified; %ld component%s, genus %ld", label,
+                          f->vertices, f->triangles, f->components, f->components == 1 ? "" : "s", f->genus);
+        il_message_detail(v, "%s: area %.6g %s^2, volume %.6g %s^3", label, f->area, unit, f->volume, unit);
+    }
     if (s->file)
         il_message_detail(v, "%s: written to %s", label, s->file);
 }

@@ -27,10 +27,20 @@ typedef struct lofter {
 
 static void place_name(const lofter *l, int32_t slice, const il_section *s, char to[64])
 {
+    char z[IL_NUMBER_MAX];
+    il_number_format(z, s->z);
     if (slice < 0 || slice >= l->n_slices)
         snprintf(to, 64, "the end");
     else
-        snprintf(to, 64, "slice %d (z = %.9g)", (int)slice, s->z);
+        snprintf(to, 64, "slice %d (z = %s)", (int)slice, z);
+}
+
+static void name_point(const double at[3], char to[128])
+{
+    char text[3][IL_NUMBER_MAX];
+    for (int k = 0; k < 3; k++)
+        il_number_format_float(text[k], (float)at[k]);
+    snprintf(to, 128, ", near (%s, %s, %s)", text[0], text[1], text[2]);
 }
 
 /* The slab's failure in words that name stack, slices and place. */
@@ -45,7 +55,7 @@ static il_status explain(const lofter *l, const il_window_place *low, const il_w
     place_name(l, low->slice, &low->section, below);
     place_name(l, high->slice, &high->section, above);
     if (v->flaw != IL_FLAW_REFERENCE)
-        snprintf(near, sizeof near, ", near (%.9g, %.9g, %.9g)", v->at[0], v->at[1], v->at[2]);
+        name_point(v->at, near);
     return il_fail(err, IL_E_SURFACE, 0, "stack \"%.60s\": no sound surface between %s and %s%s: %s",
                    il_stack_head_name(&l->head), below, above, near, il_flaw_words(v->flaw));
 }

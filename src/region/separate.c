@@ -6,8 +6,9 @@
 #include "region/arrange.h"
 
 /* The first step of a copy towards the middle of its neighbours, as a part of
- * that way; doubled until rounding keeps the copies apart. */
-static const double FIRST_STEP = 1.0 / 65536, LAST_STEP = 1.0 / 8;
+ * that way; doubled until rounding keeps the copies apart.  Less than 1/256
+ * was seen to cross again when a later stage rounds to 32-bit floats. */
+static const double FIRST_STEP = 1.0 / 256, LAST_STEP = 1.0 / 8;
 
 static bool is_inserted(const il_ring *r, size_t i)
 {

@@ -24,7 +24,7 @@ sources=$(find src -name '*.c' -o -name '*.cpp' | sort)
 headers=$(find src -name '*.h' | sort)
 tests=$(find tests -name '*.[ch]' | sort)
 examples=$(find examples -name '*.c' 2>/dev/null | sort)
-scripts="bootstrap tests/run $(find tests -name '*.sh' | sort)"
+scripts="bootstrap tests/check-solids tests/run $(find tests -name '*.sh' | sort)"
 
 # "FILE:LINE: code" with comments gone and strings empty, so that only code is searched.
 strip_comments='

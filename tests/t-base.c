@@ -121,7 +121,8 @@ static void utf8_is_judged_as_rfc_3629_says(void **state)
 {
     (void)state;
     static const struct { const char *s; size_t n; unsigned long code; } good[] = {
-        { "\0", 1, 0 }, { "\x7f", 1, 0x7F }, { "\xc2\x80", 2, 0x80 }, { "\xdf\xbf", 2, 0x7FF }, { "\xe0\xa0\x80", 3, 0x800 },
+        { "\0", 1, 0 }, { "\x7f", 1, 0x7F }, { "\xc2\x80", 2, 0x80 }, { "\xdf\xbf", 2, 0x7FF },
+        { "\xe0\xa0\x80", 3, 0x800 },
         { "\xed\x9f\xbf", 3, 0xD7FF }, { "\xee\x80\x80", 3, 0xE000 }, { "\xef\xbf\xbf", 3, 0xFFFF },
         { "\xf0\x90\x80\x80", 4, 0x10000 }, { "\xf4\x8f\xbf\xbf", 4, 0x10FFFF } };
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
@@ -132,7 +133,8 @@ static void utf8_is_judged_as_rfc_3629_says(void **state)
             assert_int_equal(il_utf8_char(good[i].s, good[i].n - 1, NULL), 0);
     }
     static const char *const bad[] = { "\x80", "\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xed\xbf\xbf",
-                                       "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "\xe2\x28\xa1" };
+                                       "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80",
+                                       "\xff", "\xe2\x28\xa1" };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         assert_false(il_utf8_valid(bad[i], strlen(bad[i])));
     assert_true(il_utf8_valid("", 0));

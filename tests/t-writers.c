@@ -1,73 +1,12 @@
 #include "config.h"
-#include "base/alloc.h"
-#include "files.h"
+#include "meshes.h"
 #include "output/mesh-spool.h"
-#include "output/writer.h"
 
 #include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
 
-/* ---- meshes --------------------------------------------------------------- */
-
-static const il_writer *const mesh_writers[] = {
-    &il_writer_stl, &il_writer_stl_ascii, &il_writer_obj, &il_writer_ply, &il_writer_ply_ascii };
-enum { N_WRITERS = sizeof mesh_writers / sizeof *mesh_writers };
-
-static il_stack_head head_called(const char *name)
-{
-    il_stack_head h = IL_STACK_HEAD_INIT;
-    assert_true(il_stack_head_set_name(&h, name, strlen(name)));
-    return h;
-}
-
-static void set_color(il_stack_head *h, unsigned char r, unsigned char g, unsigned char b)
-{
-    h->has_color = true;
-    h->color[0] = r, h->color[1] = g, h->color[2] = b;
-}
-
-static const il_mesh_facts no_facts;
-
-/* The corner tetrahedron, its top an inserted vertex, in two pieces; AT is added
- * to x.  Stops at the first failure, as the lofter would. */
-static il_status send_tetrahedron(il_mesh_sink *s, const il_stack_head *head, double at, int32_t stack, il_error *err)
-{
-    double low[9] = { at, 0, 0, at + 1, 0, -0.0, at, 1, 0 }, top[3] = { at, 0, 1 };
-    il_origin low_origin[3] = { { stack, 0, 0, 0 }, { stack, 0, 0, 1 }, { stack, 0, 0, 2 } }, inserted = { -1, 1, -1, -1 };
-    uint32_t bottom[3] = { 0, 2, 1 }, sides[9] = { 0, 1, 3, 0, 3, 2, 1, 2, 3 };
-    il_mesh one = { .xyz = low, .n_vertices = 3, .origin = low_origin, .tri = bottom, .n_triangles = 1, .slab = 0 };
-    il_mesh two = { .xyz = top, .n_vertices = 1, .origin = &inserted, .tri = sides, .n_triangles = 3, .slab = 0 };
-    il_status st = s->begin(s, head, err);
-    if (st == IL_OK)
-        st = s->piece(s, &one, err);
-    return st == IL_OK ? s->piece(s, &two, err) : st;
-}
-
-static il_status send_whole(il_mesh_sink *s, const il_stack_head *head, double at, int32_t stack, il_error *err)
-{
-    il_status st = send_tetrahedron(s, head, at, stack, err);
-    return st == IL_OK ? s->end(s, &no_facts, err) : st;
-}
-
-/* A writer of kind W into memory. */
-static il_mesh_sink *started(const il_writer *w, il_output **o)
-{
-    il_mesh_sink *s;
-    assert_int_equal(il_output_to_memory(o, NULL), IL_OK);
-    assert_int_equal(w->mesh_new(&s, *o, NULL, NULL), IL_OK);
-    return s;
-}
-
-static void finished(const il_writer *w, il_mesh_sink *s, il_output *o)
-{
-    size_t n;
-    (void)il_output_memory(o, &n);
-    assert_int_equal(n, 0); /* nothing leaves before */
-    il_error err = IL_ERROR_INIT;
-    assert_int_equal(s->finish(s, &err), IL_OK);
-    w->mesh_free(s);
-}
+/* ---- exact bytes ---------------------------------------------------------- */
 
 static void assert_bytes(il_output *o, const void *expected, size_t n)
 {
@@ -76,26 +15,6 @@ static void assert_bytes(il_output *o, const void *expected, size_t n)
     assert_int_equal(got, n);
     assert_memory_equal(data, expected, n);
     il_output_discard(o);
-}
-
-static void assert_text(il_output *o, const char *expected)
-{
-    size_t n;
-    const unsigned char *data = il_output_memory(o, &n);
-    char *text = il_strndup((const char *)data, n);
-    assert_string_equal(text, expected);
-    il_free(text);
-    il_output_discard(o);
-}
-
-static bool output_contains(il_output *o, const char *what)
-{
-    size_t n, m = strlen(what);
-    const unsigned char *data = il_output_memory(o, &n);
-    for (size_t i = 0; i + m <= n; i++)
-        if (memcmp(data + i, what, m) == 0)
-            return true;
-    return false;
 }
 
 static size_t from_hex(unsigned char *to, const char *hex)
@@ -108,8 +27,6 @@ static size_t from_hex(unsigned char *to, const char *hex)
     }
     return n;
 }
-
-/* ---- exact bytes ---------------------------------------------------------- */
 
 static il_output *tetrahedron_as(const il_writer *w)
 {
@@ -211,7 +128,8 @@ static void ascii_ply_has_these_bytes(void **state)
     (void)state;
     assert_text(two_slabs_as(&il_writer_ply_ascii),
                 PLY_HEADER("ascii")
-                "0 0 0 255 128 0 0 0 0 0\n1 0 0 255 128 0 0 0 0 1\n0 1 0 255 128 0 0 0 0 2\n0 0 1 255 128 0 -1 1 -1 -1\n"
+                "0 0 0 255 128 0 0 0 0 0\n1 0 0 255 128 0 0 0 0 1\n"
+                "0 1 0 255 128 0 0 0 0 2\n0 0 1 255 128 0 -1 1 -1 -1\n"
                 "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n0\n0\n1\n1\n");
 }
 
@@ -327,7 +245,8 @@ static double volume(const soup *m)
     for (size_t t = 0; t < m->n_triangles; t++) {
         const double *a = m->xyz + 3 * m->corner[3 * t], *b = m->xyz + 3 * m->corner[3 * t + 1];
         const double *c = m->xyz + 3 * m->corner[3 * t + 2];
-        sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        sum += a[0] * (b[1] * c[2] - b[2] * c[1]);
+        sum += a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
     }
     return sum / 6;
 }
@@ -640,9 +559,11 @@ static void a_frame_beyond_all_numbers_is_refused(void **state)
 /* ---- names ---------------------------------------------------------------- */
 
 static const char *const hostile[] = {
-    "../../etc/passwd", "-rf", "two words\nendsolid x\nfacet", "\033[2J\r", "COLOR=\1\2\3\4", "end_header\nelement vertex 0",
+    "../../etc/passwd", "-rf", "two words\nendsolid x\nfacet", "\033[2J\r", "COLOR=\1\2\3\4",
+    "end_header\nelement vertex 0",
     "solid", "back\\", "%s%n", "", "h\xc3\xb6he \xff\xfe", "a b", "a_b", "a\tb",
-    "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx" };
+    ("xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
+    "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx") };
 enum { N_HOSTILE = sizeof hostile / sizeof *hostile };
 
 /* Every line of TEXT starts with one of the words and holds no control character. */
@@ -662,7 +583,8 @@ static void assert_lines_start_with(const char *text, const char *const *word, s
 static void hostile_names_break_no_format(void **state)
 {
     (void)state;
-    static const char *const stl[] = { "solid ", "facet normal ", "outer loop\n", "vertex ", "endloop\n", "endfacet\n", "endsolid " };
+    static const char *const stl[] = { "solid ", "facet normal ", "outer loop\n", "vertex ",
+                                       "endloop\n", "endfacet\n", "endsolid " };
     static const char *const obj[] = { "# ", "o ", "g ", "v ", "f " };
     static const char *const ply[] = { "ply\n", "format ", "comment ", "element ", "property ", "end_header\n",
                                        "0 ", "1 ", "3 ", "0\n" };
@@ -725,25 +647,6 @@ static void a_binary_header_is_80_bytes_whatever_the_names(void **state)
     }
 }
 
-static void stacks_of_one_name_are_told_apart(void **state)
-{
-    (void)state;
-    il_output *o;
-    il_mesh_sink *s = started(&il_writer_obj, &o);
-    static const char *const names[] = { "a b", "a_b", "c" };
-    for (int k = 0; k < 3; k++) {
-        il_stack_head h = head_called(names[k]);
-        assert_int_equal(send_whole(s, &h, 0, k, NULL), IL_OK);
-        il_stack_head_free(&h);
-    }
-    finished(&il_writer_obj, s, o);
-    assert_true(output_contains(o, "\no a_b-1\n"));
-    assert_true(output_contains(o, "\no a_b-2\n"));
-    assert_true(output_contains(o, "\no c-3\n"));
-    assert_true(output_contains(o, "\n# stack 1 vertices 4 triangles 4 unit mm name a_b\n"));
-    il_output_discard(o);
-}
-
 /* ---- options -------------------------------------------------------------- */
 
 static void comments_stand_where_there_is_room(void **state)
@@ -769,135 +672,6 @@ static void comments_stand_where_there_is_room(void **state)
         il_output_discard(o);
         il_stack_head_free(&h);
     }
-}
-
-static void obj_groups_follow_the_slabs(void **state)
-{
-    (void)state;
-    const il_write_options options = { NULL, true };
-    il_output *o;
-    il_mesh_sink *s;
-    il_stack_head h = head_called("a");
-    assert_int_equal(il_output_to_memory(&o, NULL), IL_OK);
-    assert_int_equal(il_writer_obj.mesh_new(&s, o, &options, NULL), IL_OK);
-    assert_int_equal(send_tetrahedron(s, &h, 0, 0, NULL), IL_OK);
-    uint32_t tri[3] = { 0, 1, 2 };
-    il_mesh next = { .tri = tri, .n_triangles = 1, .slab = 1 };
-    assert_int_equal(s->piece(s, &next, NULL), IL_OK);
-    assert_int_equal(s->end(s, &no_facts, NULL), IL_OK);
-    finished(&il_writer_obj, s, o);
-    assert_true(output_contains(o, "v 0 0 1\ng a_slab0\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\ng a_slab1\nf 1 2 3\n"));
-    il_output_discard(o);
-    il_stack_head_free(&h);
-}
-
-/* ---- OBJ with its MTL ----------------------------------------------------- */
-
-static il_status write_colored_obj(const char *path, il_error *err)
-{
-    il_output *o = NULL;
-    il_mesh_sink *s = NULL;
-    static const unsigned char red[4] = { 0, 255, 255, 0 };
-    il_status st = il_output_open(&o, path, err);
-    if (st == IL_OK)
-        st = il_writer_obj.mesh_new(&s, o, NULL, err);
-    for (int k = 0; k < 4 && st == IL_OK; k++) {
-        il_stack_head h = IL_STACK_HEAD_INIT;
-        char name[2] = { (char)('a' + k), '\0' };
-        h.name = name;
-        if (k < 3)
-            set_color(&h, red[k], 128, 0);
-        st = send_whole(s, &h, 2 * k, k, err);
-    }
-    if (st == IL_OK)
-        st = s->finish(s, err);
-    il_writer_obj.mesh_free(s);
-    if (st == IL_OK)
-        return il_output_commit(o, err);
-    il_output_discard(o);
-    return st;
-}
-
-static void colours_stand_in_an_mtl_beside_the_obj(void **state)
-{
-    char path[FILES_PATH_MAX], mtl[FILES_PATH_MAX];
-    size_t n;
-    assert_int_equal(write_colored_obj(files_path(path, state, "two words.OBJ"), NULL), IL_OK);
-    files_assert_content(files_path(mtl, state, "two words.mtl"),
-                         "# isoloft\n"
-                         "newmtl rgb_008000\nKd 0 0.5019607843137255 0\nillum 1\n"
-                         "newmtl rgb_ff8000\nKd 1 0.5019607843137255 0\nillum 1\n"
-                         "newmtl plain\nKd 0.8 0.8 0.8\nillum 1\n");
-    char *text = files_read(path, &n);
-    assert_non_null(strstr(text, "# isoloft\nmtllib two words.mtl\n"));
-    assert_non_null(strstr(text, "g a\nusemtl rgb_008000\nf 1 3 2\n"));
-    assert_non_null(strstr(text, "g b\nusemtl rgb_ff8000\nf 5 7 6\n"));
-    assert_non_null(strstr(text, "g d\nusemtl plain\nf 13 15 14\n"));
-    free(text);
-    remove(path), remove(mtl);
-    assert_int_equal(files_count(state), 0);
-}
-
-static void an_obj_called_mtl_does_not_overwrite_itself(void **state)
-{
-    char path[FILES_PATH_MAX], mtl[FILES_PATH_MAX];
-    assert_int_equal(write_colored_obj(files_path(path, state, "x.mtl"), NULL), IL_OK);
-    assert_int_equal(access(files_path(mtl, state, "x.mtl.mtl"), F_OK), 0);
-    remove(path), remove(mtl);
-}
-
-static void a_name_that_fits_no_line_leaves_the_colours_out(void **state)
-{
-    char path[FILES_PATH_MAX];
-    size_t n;
-    assert_int_equal(write_colored_obj(files_path(path, state, "a\nf 1 1 1.obj"), NULL), IL_OK);
-    assert_int_equal(files_count(state), 1);
-    char *text = files_read(path, &n);
-    assert_non_null(strstr(text, "# without colours"));
-    assert_null(strstr(text, "usemtl"));
-    free(text);
-    remove(path);
-}
-
-static void without_colours_there_is_no_mtl(void **state)
-{
-    char path[FILES_PATH_MAX];
-    il_output *o;
-    il_mesh_sink *s;
-    il_stack_head h = head_called("a");
-    assert_int_equal(il_output_open(&o, files_path(path, state, "x.obj"), NULL), IL_OK);
-    assert_int_equal(il_writer_obj.mesh_new(&s, o, NULL, NULL), IL_OK);
-    assert_int_equal(send_whole(s, &h, 0, 0, NULL), IL_OK);
-    assert_int_equal(s->finish(s, NULL), IL_OK);
-    il_writer_obj.mesh_free(s);
-    assert_int_equal(il_output_commit(o, NULL), IL_OK);
-    assert_int_equal(files_count(state), 1);
-    remove(path);
-    il_stack_head_free(&h);
-}
-
-static void obj_and_mtl_appear_together_or_not_at_all(void **state)
-{
-    char path[FILES_PATH_MAX], mtl[FILES_PATH_MAX];
-    files_write(files_path(path, state, "x.obj"), "old", 3);
-    assert_int_equal(mkdir(files_path(mtl, state, "x.mtl"), 0777), 0); /* cannot be replaced */
-    assert_int_equal(write_colored_obj(path, NULL), IL_E_IO);
-    files_assert_content(path, "old");
-    assert_int_equal(rmdir(mtl), 0);
-
-    struct rlimit before, less;
-    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
-    less = before;
-    less.rlim_cur = 100; /* neither fits */
-    signal(SIGXFSZ, SIG_IGN);
-    il_error err = IL_ERROR_INIT;
-    setrlimit(RLIMIT_FSIZE, &less);
-    il_status st = write_colored_obj(path, &err);
-    setrlimit(RLIMIT_FSIZE, &before);
-    assert_int_equal(st, IL_E_IO);
-    files_assert_content(path, "old");
-    assert_int_equal(files_count(state), 1);
-    remove(path);
 }
 
 /* ---- full disks and memory ------------------------------------------------ */
@@ -958,28 +732,6 @@ static void a_full_disk_under_the_output_is_told(void **state)
         }
     }
     free(corner);
-}
-
-static void every_allocation_may_fail(void **state)
-{
-    char path[FILES_PATH_MAX], mtl[FILES_PATH_MAX];
-    files_path(mtl, state, "x.mtl");
-    files_write(files_path(path, state, "x.obj"), "old", 3);
-    long k = 0;
-    for (;; k++) {
-        il_error err = IL_ERROR_INIT;
-        il_alloc_test_fail_after(k);
-        il_status st = write_colored_obj(path, &err);
-        il_alloc_test_fail_after(-1);
-        if (st == IL_OK)
-            break;
-        assert_int_equal(st, IL_E_NOMEM);
-        files_assert_content(path, "old");
-        assert_int_equal(access(mtl, F_OK) == 0 ? 2 : 1, files_count(state));
-        assert_true(k < 200);
-    }
-    assert_true(k > 20);
-    remove(path), remove(mtl);
 }
 
 static void every_allocation_of_stl_may_fail(void **state)
@@ -1048,17 +800,9 @@ int main(void)
         cmocka_unit_test(a_frame_beyond_all_numbers_is_refused),
         cmocka_unit_test(hostile_names_break_no_format),
         cmocka_unit_test(a_binary_header_is_80_bytes_whatever_the_names),
-        cmocka_unit_test(stacks_of_one_name_are_told_apart),
         cmocka_unit_test(comments_stand_where_there_is_room),
-        cmocka_unit_test(obj_groups_follow_the_slabs),
-        cmocka_unit_test(colours_stand_in_an_mtl_beside_the_obj),
-        cmocka_unit_test(an_obj_called_mtl_does_not_overwrite_itself),
-        cmocka_unit_test(a_name_that_fits_no_line_leaves_the_colours_out),
-        cmocka_unit_test(without_colours_there_is_no_mtl),
-        cmocka_unit_test(obj_and_mtl_appear_together_or_not_at_all),
         cmocka_unit_test(a_full_disk_under_the_spool_is_told_by_the_piece),
         cmocka_unit_test(a_full_disk_under_the_output_is_told),
-        cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(every_allocation_of_stl_may_fail),
         cmocka_unit_test(writers_are_found_by_name_and_extension),
     };

@@ -29,6 +29,15 @@ size_t il_number_format(char *to, double value);
 /* As il_number_format, shortest for a 32-bit float. */
 size_t il_number_format_float(char *to, float value);
 
+/* VALUE rounded to a 32-bit float.  Through memory on purpose: gcc 12 at -O2
+ * drops the conversion there and back where it turns two of them into one
+ * vector operation. */
+static inline double il_number_round_float(double value)
+{
+    volatile float rounded = (float)value;
+    return (double)rounded;
+}
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,12 +1,13 @@
 #include "config.h"
 #include "loft/build.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 #include <string.h>
 
 static double rounded(const il_builder *b, double v)
 {
-    return b->options.round_float ? (double)(float)v : v;
+    return b->options.round_float ? il_number_round_float(v) : v;
 }
 
 double il_builder_height(const il_builder *b, double z)

@@ -147,7 +147,7 @@ static il_status push_beyond(lofter *l, double z, int32_t slice, il_error *err)
 {
     il_slice empty = IL_SLICE_INIT;
     il_section section = IL_SECTION_INIT;
-    empty.z = l->options.round_float ? (double)(float)z : z;
+    empty.z = l->options.round_float ? il_number_round_float(z) : z;
     il_status st = il_section_from_slice(&section, &empty, err);
     if (st == IL_OK)
         st = push(l, &section, slice, err);

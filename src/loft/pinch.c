@@ -2,6 +2,7 @@
 #include "config.h"
 #include "loft/pinch.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -98,7 +99,7 @@ static bool split_leaf(il_surface *s, const leaf *l, uint32_t middle)
 /* The N leaves of one edge by rising angle: a half-edge against the axis has
  * the solid ahead of it, one along the axis behind it.  Join each of the first
  * kind to the next of the second. */
-static il_status split_edge(il_surface *s, const il_section *lower, const il_section *upper,
+static il_status split_edge(il_surface *s, const il_section *lower, const il_section *upper, bool round_float,
                             const leaf *l, size_t n, il_error *err)
 {
     double a[3], b[3], middle[3];
@@ -106,6 +107,8 @@ static il_status split_edge(il_surface *s, const il_section *lower, const il_sec
     il_surface_position(s, lower, upper, l->b, b);
     for (int k = 0; k < 3; k++)
         middle[k] = a[k] + (b[k] - a[k]) / 2;
+    for (int k = 0; k < 3 && round_float; k++)
+        middle[k] = il_number_round_float(middle[k]);
     for (size_t i = 0; i < n; i++) {
         const leaf *start = &l[i], *end = &l[(i + 1) % n];
         if (start->forward == end->forward)
@@ -132,7 +135,7 @@ static bool claim(unsigned char *busy, const leaf *l, size_t n)
 
 /* One round: a triangle with two shared edges waits with the second for the
  * next.  *LEFT: edges that wait. */
-static il_status split_round(il_surface *s, const il_section *lower, const il_section *upper,
+static il_status split_round(il_surface *s, const il_section *lower, const il_section *upper, bool round_float,
                              unsigned char **touched, size_t *n_touched, size_t *n_split, size_t *left, il_error *err)
 {
     leaf *l = NULL;
@@ -152,7 +155,7 @@ static il_status split_round(il_surface *s, const il_section *lower, const il_se
             ++*left;
             continue;
         }
-        st = split_edge(s, lower, upper, l + i, j - i, err);
+        st = split_edge(s, lower, upper, round_float, l + i, j - i, err);
         ++*n_split;
     }
     size_t cap = *n_touched;
@@ -171,12 +174,12 @@ static il_status split_round(il_surface *s, const il_section *lower, const il_se
 }
 
 il_status il_pinch_split_edges(il_surface *s, const il_section *lower, const il_section *upper,
-                               unsigned char **touched, size_t *n_split, il_error *err)
+                               bool round_float, unsigned char **touched, size_t *n_split, il_error *err)
 {
     size_t n_touched = 0, left = 1;
     il_status st = IL_OK;
     *n_split = 0;
     while (st == IL_OK && left > 0)
-        st = split_round(s, lower, upper, touched, &n_touched, n_split, &left, err);
+        st = split_round(s, lower, upper, round_float, touched, &n_touched, n_split, &left, err);
     return st;
 }

@@ -7,11 +7,11 @@
 /* Split every edge that more than two triangles of S share at its middle, with
  * a middle of its own for each two triangles between which the solid lies: the
  * half-edges are paired in the order of their angles round the edge (loft.md 9).
- * The middles coincide in space.  touched[] (grown to the number of triangles,
+ * The middles coincide in space, rounded when ROUND_FLOAT says.  touched[] (grown to the number of triangles,
  * the caller's to il_free; null before) marks the triangles that changed.
  * *N_SPLIT counts edges.  IL_E_SURFACE when the sheets do not alternate. */
 il_status il_pinch_split_edges(il_surface *s, const il_section *lower, const il_section *upper,
-                               unsigned char **touched, size_t *n_split, il_error *err);
+                               bool round_float, unsigned char **touched, size_t *n_split, il_error *err);
 
 /* The triangles that meet a section from one side.  `side` is the section's
  * place in S (IL_UPPER for what lies below it); no surface: nothing there. */

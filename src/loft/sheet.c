@@ -7,6 +7,7 @@
 #include "loft/build.h"
 #include "loft/polygon.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 #include <string.h>
 
@@ -136,7 +137,7 @@ static bool lift_free_points(sheets *s)
         double xyz[3] = { 0, 0, il_builder_height(s->b, f->z) };
         il_reference_to_real(o->reference, p, f->z, xyz);
         for (int k = 0; k < 2 && s->b->options.round_float; k++)
-            xyz[k] = (double)(float)xyz[k];
+            xyz[k] = il_number_round_float(xyz[k]);
         s->code[i] = il_surface_add_inner(s->b->out, xyz);
         if (s->code[i] == UINT32_MAX)
             return false;

@@ -28,11 +28,11 @@ static void measure(const il_window *w, il_window_place *p, const il_section *up
 }
 
 /* Take apart what more than two triangles share, and see that it stays sound. */
-static il_status split_pinches(il_window_place *p, const il_section *upper)
+static il_status split_pinches(il_window_place *p, const il_section *upper, bool round_float)
 {
     unsigned char *touched = NULL;
     il_slab *slab = &p->slab;
-    il_status st = il_pinch_split_edges(&slab->surface, &p->section, upper, &touched, &p->n_split, &p->error);
+    il_status st = il_pinch_split_edges(&slab->surface, &p->section, upper, round_float, &touched, &p->n_split, &p->error);
     if (st == IL_OK)
         st = il_certify_touched(&slab->surface, &p->section, upper, touched, &slab->verdict, &p->error);
     if (st == IL_OK && slab->verdict.flaw != IL_FLAW_NONE)
@@ -45,7 +45,7 @@ static void finish(const il_window *w, il_window_place *p, const il_section *upp
 {
     p->status = il_slab_follow(&p->slab, &p->section, upper, &p->error);
     if (p->status == IL_OK && p->slab.verdict.multiple > 0)
-        p->status = split_pinches(p, upper);
+        p->status = split_pinches(p, upper, w->round_float);
     if (p->status == IL_OK)
         measure(w, p, upper);
 }

@@ -1,6 +1,8 @@
 #include "config.h"
 #include "model/order.h"
 
+#include <stdlib.h>
+
 static int compare_vertices(const double *a, const double *b)
 {
     if (a[0] != b[0])
@@ -69,4 +71,18 @@ bool il_slice_in_order(const il_slice *s)
             return false;
     }
     return true;
+}
+
+static int compare_turned(const void *a, const void *b)
+{
+    il_ring_order p = { a, 0, 0 }, q = { b, 0, 0 };
+    return il_ring_order_compare(&p, &q);
+}
+
+void il_slice_put_in_order(il_slice *s)
+{
+    for (size_t i = 0; i < s->n; i++)
+        il_ring_rotate(&s->ring[i], il_ring_first(&s->ring[i]));
+    if (s->n > 1)
+        qsort(s->ring, s->n, sizeof *s->ring, compare_turned);
 }

@@ -25,4 +25,7 @@ int il_ring_order_compare(const void *a, const void *b);
 /* Does every ring of S begin where it should, and follow the one before? */
 bool il_slice_in_order(const il_slice *s);
 
+/* Turn the rings of S so that each begins where it should, and sort them. */
+void il_slice_put_in_order(il_slice *s);
+
 #endif

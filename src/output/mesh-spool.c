@@ -35,7 +35,8 @@ static il_status begin(il_mesh_sink *self, const il_stack_head *head, il_error *
     il_mesh_spool *m = (il_mesh_spool *)self;
     if (m->open)
         return il_fail(err, IL_E_INTERNAL, 0, "a stack's mesh begins inside another");
-    il_spooled_stack s = { .first_vertex = il_mesh_spool_n_vertices(m), .first_triangle = il_mesh_spool_n_triangles(m) };
+    il_spooled_stack s = { .first_vertex = il_mesh_spool_n_vertices(m),
+                           .first_triangle = il_mesh_spool_n_triangles(m) };
     if (!il_grow(&m->stack, &m->cap_stacks, m->n_stacks + 1, sizeof *m->stack))
         return il_fail_nomem(err);
     il_status st = il_stack_head_copy(&s.head, head, err);

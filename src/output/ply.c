@@ -150,7 +150,7 @@ static il_status write_ply(il_mesh_spool *m, il_output *to, const il_write_optio
 {
     uint64_t n = il_mesh_spool_n_vertices(m);
     if (n > INT32_MAX)
-        return il_fail(err, IL_E_INPUT, 0, "%llu vertices are more than the 32-bit indices of PLY can tell apart (obj can)",
+        return il_fail(err, IL_E_INPUT, 0, "%llu vertices are more than PLY can number with 32 bits (obj can)",
                        (unsigned long long)n);
     ply_writer w = { NULL, to, has_colors(m) };
     write_header(m, to, o, binary ? "binary_little_endian" : "ascii", w.colors);

@@ -69,6 +69,27 @@ bool il_arrangement_edge(il_arrangement *a, uint32_t from, uint32_t to, uint32_t
     return true;
 }
 
+il_status il_arrangement_from_slice(il_arrangement *a, const il_slice *s, il_error *err)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        const il_ring *r = &s->ring[i];
+        uint32_t first = 0, before = 0;
+        for (size_t k = 0; k < r->n; k++) {
+            unsigned char mark = r->mark ? r->mark[k] & IL_VERTEX_INSERTED : 0;
+            uint32_t node = il_arrangement_node(a, r->xy[2 * k], r->xy[2 * k + 1], mark);
+            unsigned char edge_mark = r->mark && k > 0 ? r->mark[k - 1] & IL_VERTEX_MAP_EDGE : 0;
+            if (node == UINT32_MAX || (k > 0 && !il_arrangement_edge(a, before, node, (uint32_t)i, edge_mark)))
+                return il_fail_nomem(err);
+            first = k == 0 ? node : first;
+            before = node;
+        }
+        unsigned char last_mark = r->mark && r->n > 0 ? r->mark[r->n - 1] & IL_VERTEX_MAP_EDGE : 0;
+        if (r->n > 0 && !il_arrangement_edge(a, before, first, (uint32_t)i, last_mark))
+            return il_fail_nomem(err);
+    }
+    return IL_OK;
+}
+
 /* Position of node P along edge E, by the axis in which the edge is longer:
  * for points on the edge that is monotone and needs no arithmetic. */
 static double place_along(const il_arrangement *a, uint32_t e, uint32_t p)

@@ -4,6 +4,7 @@
 
 #include "base/keymap.h"
 #include "base/status.h"
+#include "model/stack.h"
 
 /* Nodes are positions: xy[2*n_nodes], all distinct; mark[n_nodes] are vertex
  * marks (model/ring.h).  An edge runs from node edge[2*i] to edge[2*i + 1] and
@@ -27,6 +28,9 @@ uint32_t il_arrangement_node(il_arrangement *a, double x, double y, unsigned cha
 
 /* Append an edge; false without memory. */
 bool il_arrangement_edge(il_arrangement *a, uint32_t from, uint32_t to, uint32_t owner, unsigned char mark);
+
+/* Append the closed rings of S: their vertices as nodes, ring i as owner i. */
+il_status il_arrangement_from_slice(il_arrangement *a, const il_slice *s, il_error *err);
 
 /* Split edges until any two meet in end points or not at all (equal edges
  * apart): where edges cross, a node is inserted at the rounded crossing; where

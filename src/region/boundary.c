@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "base/parity.h"
 #include "bridge/triangulation.h"
+#include "model/order.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -205,37 +206,6 @@ static il_status count_pinches(const face_map *m, size_t *pinches, il_error *err
     return IL_OK;
 }
 
-static int compare_points(const double *p, const double *q)
-{
-    if (p[0] != q[0])
-        return p[0] < q[0] ? -1 : 1;
-    return p[1] < q[1] ? -1 : p[1] > q[1];
-}
-
-static int compare_rings(const void *p, const void *q)
-{
-    const il_ring *a = p, *b = q;
-    for (size_t i = 0; i < a->n && i < b->n; i++) {
-        int c = compare_points(a->xy + 2 * i, b->xy + 2 * i);
-        if (c)
-            return c;
-    }
-    return a->n < b->n ? -1 : a->n > b->n;
-}
-
-static void make_canonical(il_slice *s)
-{
-    for (size_t i = 0; i < s->n; i++) {
-        size_t least = 0;
-        for (size_t k = 1; k < s->ring[i].n; k++)
-            if (compare_points(s->ring[i].xy + 2 * k, s->ring[i].xy + 2 * least) < 0)
-                least = k;
-        il_ring_rotate(&s->ring[i], least);
-    }
-    if (s->n > 1)
-        qsort(s->ring, s->n, sizeof *s->ring, compare_rings);
-}
-
 il_status il_boundary_extract(const il_arrangement *a, il_slice *out,
                               size_t *cancelled, size_t *pinches, il_error *err)
 {
@@ -254,7 +224,7 @@ il_status il_boundary_extract(const il_arrangement *a, il_slice *out,
         if (st == IL_OK)
             st = trace_all(&m, out, err);
         if (st == IL_OK)
-            make_canonical(out);
+            il_slice_put_in_order(out);
     }
     il_triangulation_free(t);
     face_map_free(&m);

@@ -1,9 +1,11 @@
 #include "config.h"
 #include "region/clean.h"
 #include "base/alloc.h"
+#include "base/number.h"
 #include "bridge/predicates.h"
 #include "region/arrange.h"
 #include "region/boundary.h"
+#include "region/separate.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +15,7 @@ static void round_ring(il_ring *r, il_report *report)
 {
     size_t moved = 0;
     for (size_t i = 0; i < r->n; i++) {
-        double x = (double)(float)r->xy[2 * i], y = (double)(float)r->xy[2 * i + 1];
+        double x = il_number_round_float(r->xy[2 * i]), y = il_number_round_float(r->xy[2 * i + 1]);
         double move = hypot(x - r->xy[2 * i], y - r->xy[2 * i + 1]);
         if (move > 0) {
             moved++;
@@ -171,27 +173,6 @@ static il_status prepare_rings(il_slice *s, const il_clean_options *o, il_report
     return drop_duplicates(s, report, err);
 }
 
-static il_status fill_arrangement(il_arrangement *a, const il_slice *s, il_error *err)
-{
-    for (size_t i = 0; i < s->n; i++) {
-        const il_ring *r = &s->ring[i];
-        uint32_t first = 0, before = 0;
-        for (size_t k = 0; k < r->n; k++) {
-            unsigned char mark = r->mark ? r->mark[k] & IL_VERTEX_INSERTED : 0;
-            uint32_t node = il_arrangement_node(a, r->xy[2 * k], r->xy[2 * k + 1], mark);
-            unsigned char edge_mark = r->mark && k > 0 ? r->mark[k - 1] & IL_VERTEX_MAP_EDGE : 0;
-            if (node == UINT32_MAX || (k > 0 && !il_arrangement_edge(a, before, node, (uint32_t)i, edge_mark)))
-                return il_fail_nomem(err);
-            first = k == 0 ? node : first;
-            before = node;
-        }
-        unsigned char last_mark = r->mark && r->n > 0 ? r->mark[r->n - 1] & IL_VERTEX_MAP_EDGE : 0;
-        if (r->n > 0 && !il_arrangement_edge(a, before, first, (uint32_t)i, last_mark))
-            return il_fail_nomem(err);
-    }
-    return IL_OK;
-}
-
 /* Directed edge of the clean rings -> ring, by the arrangement's nodes. */
 static bool index_edges(il_keymap *ring_at, const il_arrangement *a, const il_slice *s)
 {
@@ -286,13 +267,15 @@ il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *repo
     if (st == IL_OK)
         st = prepare_rings(s, o, report, err);
     if (st == IL_OK)
-        st = fill_arrangement(&a, s, err);
+        st = il_arrangement_from_slice(&a, s, err);
     if (st == IL_OK)
         st = il_arrangement_settle(&a, &crossings, &touches, err);
     if (st == IL_OK)
         st = il_boundary_extract(&a, &clean, &cancelled, &pinches, err);
     if (st == IL_OK)
         st = hand_down(s, &a, &clean, report, err);
+    if (st == IL_OK && pinches > 0)
+        st = il_slice_separate(&clean, o->round_float, &pinches, err);
     if (st == IL_OK) {
         il_report_repair(report, IL_REPAIR_CROSSING, crossings);
         il_report_repair(report, IL_REPAIR_TOUCH, touches);

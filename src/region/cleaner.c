@@ -68,7 +68,7 @@ static il_status slice(il_sink *self, il_slice *s, il_error *err)
 {
     cleaner *c = (cleaner *)self;
     if (c->options.round_float)
-        s->z = (double)(float)s->z;
+        s->z = il_number_round_float(s->z);
     if (c->holding && s->z == c->held.z) {
         il_report_repair(c->report, IL_REPAIR_MERGED_SLICE, 1);
         return merge(&c->held, s, err);

@@ -63,7 +63,8 @@ void il_error_message(const il_error *err, char *to, size_t size);
 /* A closed polygon in the plane Z: xy[2*n] holds x0 y0 x1 y1 ..., the first
  * vertex is not repeated at the end.  Finite and below 1e15.  Direction is
  * free: where contours of a plane lie in one another, every second is a hole.
- * stack: contours of one number belong to one solid. */
+ * stack: contours of one number belong to one solid; a number other than 0 is
+ * written where the format has room for it. */
 typedef struct il_contour {
     double z;
     const double *xy;

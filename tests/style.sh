@@ -61,7 +61,7 @@ names() { grep -E "^($1)[^:]*:" "$code" | grep -E "(^|[^A-Za-z0-9_])($2)([^A-Za-
 below_cli='src/(base|bridge|model|input|region|match|loft|output|api)/'
 below_files='src/(bridge|model|input|region|match|loft|output|api)/'
 
-echo "1..22"
+echo "1..23"
 
 for f in $sources $tests $examples; do
     case $f in *.h | examples/*) continue ;; esac
@@ -187,6 +187,13 @@ elif [ -d man ] && command -v groff >/dev/null; then
 else
     skip "manual pages pass a lint" "neither mandoc nor groff is installed"
 fi
+
+# Commands stand indented in the README.
+: >"$found"
+command='./bootstrap && make check'
+grep -q -x -F "    $command" README.md || echo "README.md: no '$command'" >>"$found"
+[ ! -e .ci/run ] || grep -q -F "($command)" .ci/run || echo ".ci/run: no '$command'" >>"$found"
+none "continuous integration runs the README's test command"
 
 for word in $(grep -o -E '(examples|formats|man|src|tests)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' README.md); do
     [ -e "$word" ] || echo "README.md: $word is not there"

@@ -66,7 +66,7 @@ static il_status send_stack(const il_contour *contour, const entry *e, size_t n,
     il_stack_head head = IL_STACK_HEAD_INIT;
     head.kind = IL_KIND_SOLID;
     head.unit = unit;
-    head.has_number = true;
+    head.has_number = e[0].stack != 0;
     head.number = e[0].stack;
     il_status st = sink->stack_begin(sink, &head, err);
     for (size_t i = 0, k; i < n && st == IL_OK; i = k) {

@@ -156,7 +156,7 @@ static il_status copy_bytes(const il_output *o, il_blob *to, il_error *err)
 static il_status commit(work *w, il_error *err)
 {
     if (w->tally.triangles == 0)
-        return il_fail(err, IL_E_INPUT, 0, "there is no contour that bounds a solid");
+        return il_fail(err, IL_E_INPUT, 0, "there are no contours, so there is nothing to write");
     if (!w->writer)
         return IL_OK;
     il_status st = w->to->bytes ? il_output_status(w->output, err) : IL_OK;

@@ -1,27 +1,9 @@
 #include "config.h"
 #include "loft/census.h"
 #include "base/alloc.h"
+#include "base/forest.h"
 
 #include <stdbool.h>
-
-static uint32_t root(uint32_t *parent, uint32_t i)
-{
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
-
-static void unite(uint32_t *parent, uint32_t i, uint32_t j)
-{
-    i = root(parent, i);
-    j = root(parent, j);
-    if (i < j)
-        parent[j] = i;
-    else
-        parent[i] = j;
-}
 
 il_status il_census_begin(il_census *c, size_t n, il_error *err)
 {
@@ -29,8 +11,7 @@ il_status il_census_begin(il_census *c, size_t n, il_error *err)
     c->label = il_alloc(n, sizeof *c->label);
     if (!c->label)
         return il_fail_nomem(err);
-    for (uint32_t i = 0; i < n; i++)
-        c->label[i] = i;
+    il_forest_plant(c->label, n);
     c->n_front = n;
     c->vertices = n;
     return IL_OK;
@@ -44,7 +25,7 @@ static void pass_on(il_census *c, uint32_t *parent, size_t n, uint32_t *label, s
     for (size_t i = 0; i < n; i++)
         seen[i] = UINT32_MAX;
     for (uint32_t i = 0; i < n_next; i++) {
-        uint32_t *least = &seen[root(parent, (uint32_t)first + i)];
+        uint32_t *least = &seen[il_forest_leader(parent, (uint32_t)first + i)];
         if (*least == UINT32_MAX)
             *least = i;
         label[i] = *least;
@@ -64,8 +45,8 @@ il_status il_census_add(il_census *c, const uint32_t *tri, size_t n_triangles,
         for (uint32_t i = 0; i < n; i++)
             parent[i] = i < c->n_front ? c->label[i] : i;
         for (size_t t = 0; t < n_triangles; t++) {
-            unite(parent, tri[3 * t], tri[3 * t + 1]);
-            unite(parent, tri[3 * t], tri[3 * t + 2]);
+            il_forest_join(parent, tri[3 * t], tri[3 * t + 1]);
+            il_forest_join(parent, tri[3 * t], tri[3 * t + 2]);
         }
         pass_on(c, parent, n, label, n_next, seen);
         il_free(c->label);

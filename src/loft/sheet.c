@@ -4,7 +4,8 @@
  * where the sheet contains a vertical edge, and the middles of edges that would
  * lie flat.  What cannot be cut up otherwise becomes a star round its centre. */
 #include "config.h"
-#include "loft/build.h"
+#include "loft/axis.h"
+#include "loft/builder.h"
 #include "loft/polygon.h"
 #include "base/alloc.h"
 #include "base/number.h"

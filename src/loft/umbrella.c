@@ -7,12 +7,13 @@
 #include "config.h"
 #include "loft/pinch.h"
 #include "base/alloc.h"
+#include "base/forest.h"
 
 #include <string.h>
 
-/* A corner at a touching node, in a union-find forest. */
+/* A corner at a touching node. */
 typedef struct fan_corner {
-    uint32_t node, corner, parent;
+    uint32_t node, corner;
     int collar;
 } fan_corner;
 
@@ -22,6 +23,7 @@ typedef struct finder {
     const il_collar *collar;
     unsigned char *touching;
     fan_corner *list;     size_t n, cap;
+    uint32_t *fan;        /* [n] corners that belong together (base/forest.h) */
     il_keymap leaving;    /* (node, other end of the half-edge that leaves it) -> corner in list */
 } finder;
 
@@ -53,31 +55,11 @@ static bool collect(finder *f)
                 continue;
             if (!il_grow(&f->list, &f->cap, f->n + 1, sizeof *f->list))
                 return false;
-            f->list[f->n] = (fan_corner){ node, e, (uint32_t)f->n, c };
+            f->list[f->n] = (fan_corner){ node, e, c };
             f->n++;
         }
     }
     return true;
-}
-
-static uint32_t root(fan_corner *list, uint32_t i)
-{
-    while (list[i].parent != i) {
-        list[i].parent = list[list[i].parent].parent;
-        i = list[i].parent;
-    }
-    return i;
-}
-
-/* The least corner leads, so that the outcome does not depend on the order. */
-static void unite(fan_corner *list, uint32_t i, uint32_t j)
-{
-    i = root(list, i);
-    j = root(list, j);
-    if (i < j)
-        list[j].parent = i;
-    else
-        list[i].parent = j;
 }
 
 /* A name for the far end of an edge at a node: nodes of the section are the
@@ -92,6 +74,10 @@ static uint64_t far_end(const finder *f, int collar, uint32_t code)
 /* Join corners over the edges that they share. */
 static bool join(finder *f)
 {
+    f->fan = il_alloc(f->n, sizeof *f->fan);
+    if (!f->fan)
+        return false;
+    il_forest_plant(f->fan, f->n);
     for (uint32_t i = 0; i < f->n; i++) {
         const fan_corner *c = &f->list[i];
         const uint32_t *tri = f->collar[c->collar].surface->tri;
@@ -104,7 +90,7 @@ static bool join(finder *f)
         uint64_t far = far_end(f, c->collar, tri[next_corner(next_corner(c->corner))]);
         uint32_t other = il_keymap_get(&f->leaving, c->node, far, UINT32_MAX);
         if (other != UINT32_MAX)
-            unite(f->list, i, other);
+            il_forest_join(f->fan, i, other);
     }
     return true;
 }
@@ -123,7 +109,7 @@ static bool number(finder *f)
     uint32_t *vertex = il_alloc(f->n, sizeof *vertex);
     bool ok = vertex != NULL;
     for (uint32_t i = 0; ok && i < f->n; i++) {
-        uint32_t r = root(f->list, i), node = f->list[i].node;
+        uint32_t r = il_forest_leader(f->fan, i), node = f->list[i].node;
         if (r == i) {
             vertex[i] = f->touching[node] == 2 ? node : (uint32_t)f->u->n_vertices;
             if (f->touching[node] == 3) {
@@ -143,7 +129,7 @@ static bool number(finder *f)
 
 il_status il_umbrellas_find(il_umbrellas *u, const il_section *section, const il_collar collar[2], il_error *err)
 {
-    finder f = { u, section, collar, NULL, NULL, 0, 0, IL_KEYMAP_INIT };
+    finder f = { .u = u, .section = section, .collar = collar };
     bool any = false, ok = find_touching(&f, &any);
     *u = (il_umbrellas)IL_UMBRELLAS_INIT;
     for (uint32_t i = 0; ok && i < section->n_nodes; i++)
@@ -152,6 +138,7 @@ il_status il_umbrellas_find(il_umbrellas *u, const il_section *section, const il
         ok = collect(&f) && join(&f) && number(&f);
     il_free(f.touching);
     il_free(f.list);
+    il_free(f.fan);
     il_keymap_free(&f.leaving);
     if (ok)
         return IL_OK;

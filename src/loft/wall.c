@@ -4,7 +4,7 @@
  * sheet on either side; the surface stands there.  Edges of that kind form
  * chains between nodes, which are points where anything else meets them. */
 #include "config.h"
-#include "loft/build.h"
+#include "loft/builder.h"
 #include "loft/zipper.h"
 #include "base/alloc.h"
 

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "model/audit.h"
 #include "base/alloc.h"
+#include "base/forest.h"
 #include "bridge/intersection.h"
 #include "bridge/predicates.h"
 #include "model/nesting.h"
@@ -55,25 +56,6 @@ static bool has_no_area(const work *w, const uint32_t *t)
             return false;
     }
     return true;
-}
-
-/* ---- union-find --------------------------------------------------------------- */
-
-static uint32_t root_of(uint32_t *up, uint32_t i)
-{
-    while (up[i] != i)
-        i = up[i] = up[up[i]];
-    return i;
-}
-
-static void join(uint32_t *up, uint32_t a, uint32_t b)
-{
-    a = root_of(up, a);
-    b = root_of(up, b);
-    if (a < b)
-        up[b] = a;
-    else
-        up[a] = b;
 }
 
 /* ---- half-edges, sorted by their edge -------------------------------------------- */
@@ -148,9 +130,9 @@ static void account_edge(work *w, uint32_t vertex, const half *h, size_t n)
     size_t from_vertex = 0;
     for (size_t i = 0; i < n; i++) {
         from_vertex += w->mesh->tri[h[i].corner] == vertex;
-        join(w->part, h[0].corner / 3, h[i].corner / 3);
-        join(w->fan, corner_at(w, h[0].corner, vertex), corner_at(w, h[i].corner, vertex));
-        join(w->fan, corner_at(w, h[0].corner, h[0].other), corner_at(w, h[i].corner, h[0].other));
+        il_forest_join(w->part, h[0].corner / 3, h[i].corner / 3);
+        il_forest_join(w->fan, corner_at(w, h[0].corner, vertex), corner_at(w, h[i].corner, vertex));
+        il_forest_join(w->fan, corner_at(w, h[0].corner, h[0].other), corner_at(w, h[i].corner, h[0].other));
     }
     w->audit->edges++;
     w->audit->boundary_edges += n == 1;
@@ -241,7 +223,7 @@ static void number_parts(work *w)
 {
     size_t n = 0;
     for (size_t t = 0; t < w->mesh->n_triangles; t++)
-        w->part[t] = root_of(w->part, (uint32_t)t);
+        w->part[t] = il_forest_leader(w->part, (uint32_t)t);
     for (size_t t = 0; t < w->mesh->n_triangles; t++) {
         if (is_collapsed(corners_of(w, t)))
             w->part[t] = 0;

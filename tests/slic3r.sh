@@ -1,7 +1,7 @@
 # slic3r.sh - a solid of our own, sliced by Debian's slic3r, comes back in millimetres,
 # the right way up, with its holes.  TAP; skipped where slic3r is not installed.
 
-echo "1..9"
+echo "1..11"
 n=0
 
 ok() { # STATUS SENTENCE
@@ -10,7 +10,7 @@ ok() { # STATUS SENTENCE
 }
 
 if ! command -v slic3r >/dev/null; then
-    while [ $n -lt 9 ]; do
+    while [ $n -lt 11 ]; do
         n=$((n + 1))
         echo "ok $n # SKIP slic3r is not installed"
     done
@@ -105,3 +105,8 @@ ok $? "each of the 16 slices of the torus has one hole"
 awk '{ c = sqrt(16 - ($1 - 4) ^ 2); d = $4 / (40 * 3.14159265 * c) - 1 }
      d < -.02 || d > .02 { bad = 1; print "# z " $1 ": " d } END { exit bad }' torus.slices
 ok $? "the slices of the torus have the area of its rings, within 2 %"
+
+for solid in angle torus; do
+    "$ISOLOFT" -q $solid.svg -o $solid.ply && "$ISOLOFT" check $solid.ply >$solid.check && grep -q 'genus 1$' $solid.check
+    ok $? "the $solid comes back as one closed surface with one handle"
+done

@@ -339,7 +339,7 @@ il_status il_svg_drawing_end_file(il_svg_drawing *d, il_error *err)
     if (!d->is_seen)
         return il_fail(err, IL_E_INPUT, 0, "no element at all: this is no SVG");
     bool is_up = d->options->no_flip || (d->is_slic3r && !d->is_plate);
-    il_svg_slices_end_file(&d->slices, d->file, !is_up);
+    il_svg_slices_end_file(&d->slices, d->file, d->file_name, !is_up, d->report);
     d->n_unscaled += !d->is_slic3r && !d->is_physical && !d->options->has_unit ? 1 : 0;
     return IL_OK;
 }

@@ -77,20 +77,37 @@ static size_t comment_end(il_svg_feed *f, const char *s, size_t n) { return find
 static size_t cdata_end(il_svg_feed *f, const char *s, size_t n) { return find_after(f, s, n, 9, "]]>"); }
 static size_t instruction_end(il_svg_feed *f, const char *s, size_t n) { return find_after(f, s, n, 2, "?>"); }
 
+/* The end of a quoted value that goes on at S[I..N): behind its quote, at a '<'
+ * before that, or N.  Values are nearly all of a file, hence memchr. */
+static size_t value_end(il_svg_feed *f, const char *s, size_t n, size_t i)
+{
+    const char *quote = memchr(s + i, f->quote, n - i);
+    size_t end = quote ? (size_t)(quote - s) : n;
+    const char *mark = memchr(s + i, '<', end - i);
+    if (mark)
+        return (size_t)(mark - s);
+    if (quote)
+        f->quote = '\0';
+    return quote ? end + 1 : n;
+}
+
 /* A tag ends at the first '>' outside quotes.  '<' cannot stand in one: it ends
  * there, for the caller to refuse. */
 static size_t tag_end(il_svg_feed *f, const char *s, size_t n)
 {
     size_t i = f->scanned > 1 ? f->scanned : 1;
-    for (; i < n; i++) {
+    while (i < n) {
         char c = s[i];
         if (c == '<')
             return i;
         if (f->quote) {
-            f->quote = c == f->quote ? '\0' : f->quote;
-        } else if (c == '>') {
-            return i + 1;
-        } else if (c == '"' || c == '\'') {
+            i = value_end(f, s, n, i);
+            continue;
+        }
+        i++;
+        if (c == '>')
+            return i;
+        if (c == '"' || c == '\'') {
             f->quote = c;
             f->n_attributes++;
         }

@@ -69,12 +69,14 @@ static bool is_in_millionths(const il_svg_slices *s, size_t first)
     return true;
 }
 
-void il_svg_slices_end_file(il_svg_slices *s, size_t file, bool turn)
+void il_svg_slices_end_file(il_svg_slices *s, size_t file, const char *name, bool turn, il_report *report)
 {
     size_t first = s->n;
     while (first > 0 && s->part[first - 1].file == file)
         first--;
     bool in_millionths = is_in_millionths(s, first);
+    if (!in_millionths)
+        il_report_note(report, "%.200s: slic3r:z is taken as it stands, not times 1e6, for one is 0.001 or more", name);
     for (size_t i = first; i < s->n; i++) {
         il_svg_level *l = &s->part[i].level;
         if (l->kind == IL_SVG_LEVEL_SLIC3R) {

@@ -34,8 +34,9 @@ void il_svg_slices_free(il_svg_slices *s);
 il_status il_svg_slices_add(il_svg_slices *s, const il_svg_level *level, size_t slot, size_t file, long line,
                             il_slice *drawn, il_error *err);
 
-/* File FILE is complete: settle its slic3r heights, and turn y round if FLIP. */
-void il_svg_slices_end_file(il_svg_slices *s, size_t file, bool flip);
+/* File FILE, called NAME, is complete: settle its slic3r heights, and turn y
+ * round if FLIP. */
+void il_svg_slices_end_file(il_svg_slices *s, size_t file, const char *name, bool flip, il_report *report);
 
 /* Send all as the stack HEAD into SINK, slices in rising z; N sources, for
  * their names.  IL_E_INPUT when there is no contour, when heights are needed

@@ -45,14 +45,18 @@ static void add_cube(il_mesh *m, double x, double y, double z, double s)
     add_cube_on(m, v);
 }
 
+static void turn_one(il_mesh *m, size_t t)
+{
+    uint32_t a = m->tri[3 * t];
+    m->tri[3 * t] = m->tri[3 * t + 1];
+    m->tri[3 * t + 1] = a;
+}
+
 /* Turn the triangles from number FROM on inside out. */
 static void turn_over(il_mesh *m, size_t from)
 {
-    for (size_t t = from; t < m->n_triangles; t++) {
-        uint32_t a = m->tri[3 * t];
-        m->tri[3 * t] = m->tri[3 * t + 1];
-        m->tri[3 * t + 1] = a;
-    }
+    for (size_t t = from; t < m->n_triangles; t++)
+        turn_one(m, t);
 }
 
 static void add_cavity(il_mesh *m, double x, double y, double z, double s)
@@ -194,6 +198,49 @@ static void loose_vertices_are_counted_and_harmless(void **state)
     assert_int_equal(a.loose_vertices, 1);
     assert_int_equal(a.genus, 0);
     assert_true(a.hi[0] == 1);
+}
+
+/* Boxes in boxes, up to eight side by side, touching in edges and corners. */
+static void add_boxes(il_mesh *m, uint64_t *seed, double x, double y, double z, double s, int depth)
+{
+    for (unsigned i = 0; i < 8; i++) {
+        *seed = *seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        bool wanted = *seed >> 62 > 0 && (i == 0 || i == 3 || i == 5 || i == 6); /* no two share a face */
+        double h = s / 2, at[3] = { x + h * (i & 1), y + h * (i >> 1 & 1), z + h * (i >> 2 & 1) };
+        if (!wanted || depth == 0)
+            continue;
+        size_t from = m->n_triangles;
+        add_cube(m, at[0], at[1], at[2], h);
+        if (depth % 2 == 0)
+            turn_over(m, from);
+        add_boxes(m, seed, at[0] + h / 8, at[1] + h / 8, at[2] + h / 8, h * 3 / 4, depth - 1);
+    }
+}
+
+static void any_part_turned_over_is_noticed(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (int k = 0; k < 20; k++) {
+        il_mesh m = IL_MESH_INIT;
+        il_audit a;
+        add_boxes(&m, &seed, 1, 2, 3, 16, 3);
+        add_cube(&m, -5, -5, -5, 1);
+        assert_int_equal(il_mesh_audit(&m, &a, NULL), IL_OK);
+        assert_true(a.outward);
+        assert_int_equal(a.components, m.n_triangles / 12);
+        for (size_t i = 0; i < 5; i++) {
+            size_t part = (size_t)(seed >> 33) * (i + 1) % a.components;
+            il_audit b;
+            for (size_t t = 12 * part; t < 12 * part + 12; t++)
+                turn_one(&m, t);
+            assert_int_equal(il_mesh_audit(&m, &b, NULL), IL_OK);
+            assert_false(b.outward);
+            for (size_t t = 12 * part; t < 12 * part + 12; t++)
+                turn_one(&m, t);
+        }
+        il_mesh_free(&m);
+    }
 }
 
 /* ---- what is not -------------------------------------------------------------------------- */
@@ -388,6 +435,7 @@ int main(void)
         cmocka_unit_test(genus_and_volume_add_up_over_components),
         cmocka_unit_test(a_cavity_and_an_island_in_it_are_sound),
         cmocka_unit_test(a_thousand_shells_nest),
+        cmocka_unit_test(any_part_turned_over_is_noticed),
         cmocka_unit_test(loose_vertices_are_counted_and_harmless),
         cmocka_unit_test(an_inverted_solid_does_not_face_outward),
         cmocka_unit_test(a_flipped_triangle_is_inconsistent_along_three_edges),

@@ -120,7 +120,7 @@ static void merge_rounding(il_report *r, il_report *rounding)
 static il_status close_record(il_account *a, il_error *err)
 {
     il_stack_account *s = current(a);
-    a->in_stack = a->in_mesh = a->skipping = false;
+    a->in_stack = a->skipping = false;
     merge_rounding(&a->report, &a->rounding);
     s->report = a->report;
     a->report = (il_report)IL_REPORT_INIT;
@@ -169,6 +169,20 @@ static il_status check_strict(const il_account *a, il_error *err)
                    a->stack[a->n - 1].name, repairs, a->report.n_skipped);
 }
 
+static il_account *of_meshes(il_mesh_sink *self)
+{
+    return (il_account *)(void *)((char *)self - offsetof(il_account, meshes));
+}
+
+/* The writer is told once that a stack is given up, whoever says so first. */
+static void on_mesh_abandon(il_mesh_sink *self)
+{
+    il_account *a = of_meshes(self);
+    if (a->in_mesh)
+        a->next_mesh->abandon(a->next_mesh);
+    a->in_mesh = false;
+}
+
 /* ---- the tap among the contours ------------------------------------------ */
 
 static il_account *of_contours(il_sink *self)
@@ -199,10 +213,19 @@ static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
     return a->skipping ? IL_OK : settle(a, a->next->pair(a->next, pair, err), err);
 }
 
+/* A stack without contours has no surface, and takes none from the others. */
+static void leave_out_empty(il_account *a)
+{
+    il_report_note(&a->report, "it has no contours, so there is nothing to write of it");
+    on_mesh_abandon(&a->meshes);
+}
+
 static il_status on_stack_end(il_sink *self, il_error *err)
 {
     il_account *a = of_contours(self);
-    if (!a->skipping) {
+    if (a->next_mesh && current(a)->points == 0 && !a->skipping) {
+        leave_out_empty(a);
+    } else if (!a->skipping) {
         il_status st = a->next_mesh ? IL_OK : check_strict(a, err);
         if (st == IL_OK)
             st = a->next->stack_end(a->next, err);
@@ -223,11 +246,6 @@ static il_status on_end(il_sink *self, il_error *err)
 
 /* ---- the tap among the meshes -------------------------------------------- */
 
-static il_account *of_meshes(il_mesh_sink *self)
-{
-    return (il_account *)(void *)((char *)self - offsetof(il_account, meshes));
-}
-
 static il_status on_mesh_begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
 {
     il_account *a = of_meshes(self);
@@ -239,15 +257,6 @@ static il_status on_mesh_piece(il_mesh_sink *self, const il_mesh *piece, il_erro
 {
     il_account *a = of_meshes(self);
     return a->next_mesh->piece(a->next_mesh, piece, err);
-}
-
-/* The writer is told once that a stack is given up, whoever says so first. */
-static void on_mesh_abandon(il_mesh_sink *self)
-{
-    il_account *a = of_meshes(self);
-    if (a->in_mesh)
-        a->next_mesh->abandon(a->next_mesh);
-    a->in_mesh = false;
 }
 
 static il_status on_mesh_end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *err)
@@ -271,7 +280,7 @@ static il_status on_mesh_end(il_mesh_sink *self, const il_mesh_facts *facts, il_
 static il_status on_mesh_finish(il_mesh_sink *self, il_error *err)
 {
     il_account *a = of_meshes(self);
-    if (a->n_triangles == 0 && a->worst == IL_OK)
+    if (a->n_triangles == 0 && a->worst == IL_OK && !a->options.empty_allowed)
         return il_fail(err, IL_E_INPUT, 0, "the contours bound no solid, so there is nothing to write");
     return a->next_mesh->finish(a->next_mesh, err);
 }

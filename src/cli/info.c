@@ -18,12 +18,15 @@ il_status il_command_info(const il_options *o, il_voice *v, il_error *err)
     il_plan plan = { .match = true, .loft = true, .survey = true };
     il_result result;
     il_status st = il_pipeline_run(&result, o, &plan, v, err);
+    bool memory = st != IL_E_NOMEM; /* there is none left to say more */
     if (err->code != IL_OK)
         il_message_error(v, err);
     il_error_clear(err);
-    il_status table = o->json && !o->json_path ? IL_OK : print_table(&result, err);
-    if (table == IL_OK)
-        table = il_command_put_account(o, true, &result, v, err);
+    il_status said = IL_OK;
+    if (memory && (!o->json || o->json_path))
+        said = print_table(&result, err);
+    if (memory && said == IL_OK)
+        said = il_command_put_account(o, true, &result, v, err);
     il_account_free(&result.account);
-    return table == IL_OK ? st : table;
+    return said == IL_OK ? st : said;
 }

@@ -275,7 +275,7 @@ const il_option il_option_table[] = {
     { 0, "stack", "PATTERN", IL_OPTION_VALUE, STREAMS,
       "only stacks whose name matches", "only stacks whose name matches", set_stack },
     { 0, "unit", "U", IL_OPTION_VALUE, READERS,
-      "what the input's numbers mean: um mm cm m km in ft",
+      "what the input's numbers mean: um mm ... in ft",
       "what the input's numbers mean: um mm ... ft deg", set_unit },
     { 0, "to", "U", IL_OPTION_VALUE, STREAMS,
       "convert lengths to unit U", "convert lengths to unit U", set_to_unit },

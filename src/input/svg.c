@@ -27,6 +27,7 @@ typedef struct driver {
     il_svg_token token;         /* what the parser is being fed */
     xmlParserCtxtPtr xml;
     bool in_wrapper;
+    size_t n_tags;              /* start and end tags parsed, <a/> being both */
     int *n_bound, n_in_scope;
     size_t cap_bound, depth;
     il_status status;
@@ -35,7 +36,8 @@ typedef struct driver {
 
 /* ---- calls from libxml2 --------------------------------------------------------- */
 
-/* Keep the failure ST, with its place, and parse no further. */
+/* Keep the failure ST with its place.  Nothing more is done from here on; the
+ * parser itself is not stopped, it has at most this tag to end. */
 static void stop(driver *d, il_status st)
 {
     if (st == IL_OK || d->status != IL_OK)
@@ -45,7 +47,6 @@ static void stop(driver *d, il_status st)
         const il_svg_text *at = &d->drawing->at;
         d->err->line = at->name ? il_svg_token_line(&d->token, at->name, at->at) : d->token.line;
     }
-    xmlStopParser(d->xml);
 }
 
 static il_status bind_namespaces(driver *d, int n)
@@ -73,6 +74,7 @@ static void on_start(void *self, const xmlChar *name, const xmlChar *prefix, con
 {
     driver *d = self;
     (void)n_defaulted;
+    d->n_tags++;
     if (d->status != IL_OK)
         return;
     if (!d->in_wrapper) {
@@ -89,6 +91,7 @@ static void on_end(void *self, const xmlChar *name, const xmlChar *prefix, const
 {
     driver *d = self;
     (void)name, (void)prefix, (void)uri;
+    d->n_tags++;
     d->drawing->at.name = NULL;
     if (d->status != IL_OK)
         return;
@@ -108,7 +111,9 @@ static void on_text(void *self, const xmlChar *s, int n)
         stop(d, il_svg_drawing_text(d->drawing, (const char *)s, (size_t)n, d->err));
 }
 
-/* Unknown prefixes are no matter (il_svg_namespace_of); whatever else libxml2
+/* Called for what the parser finds, and for what libxml2 finds without one
+ * (bytes that the encoding does not have), which it would print.
+ * Unknown prefixes are no matter (il_svg_namespace_of); whatever else libxml2
  * finds wrong ends the file.  The last end tag too many would close our element,
  * which is not to be named. */
 static void on_error(void *self, xmlErrorPtr e)
@@ -124,12 +129,6 @@ static void on_error(void *self, xmlErrorPtr e)
         stop(d, il_fail(d->err, IL_E_INPUT, line, "an end tag without its start tag"));
     else
         stop(d, il_fail(d->err, IL_E_INPUT, line, "not well-formed: %.*s", (int)strcspn(text, "\n"), text));
-}
-
-/* For errors that libxml2 raises without a parser: it would print them. */
-static void ignore_error(void *self, xmlErrorPtr e)
-{
-    (void)self, (void)e;
 }
 
 /* ---- one file --------------------------------------------------------------------- */
@@ -184,10 +183,15 @@ static void push_token(driver *d, bool *opened)
         *opened = true;
         push(d, "<" WRAPPER ">", strlen("<" WRAPPER ">"));
     }
+    size_t n_tags = d->n_tags;
     if (t->kind == IL_SVG_TOKEN_SKIPPED)
         push_line_ends(d, t->n_lines);
     else
         push(d, t->s, t->n);
+    /* A whole tag is parsed at once, unless the bytes before it wait for more
+     * in an encoding they do not belong to: some say nothing then. */
+    if (t->kind == IL_SVG_TOKEN_TAG && t->s[1] != '!' && d->n_tags == n_tags)
+        stop(d, il_fail(d->err, IL_E_INPUT, t->line, "not well-formed: bytes that the encoding does not have"));
 }
 
 static il_status read_tokens(driver *d)
@@ -209,6 +213,9 @@ static il_status read_file(il_svg_drawing *drawing, il_source *source, size_t nu
 {
     size_t longest = drawing->options->max_line < INT_MAX / 2 ? drawing->options->max_line : INT_MAX / 2;
     driver d = { .drawing = drawing, .err = err };
+    xmlStructuredErrorFunc handler = xmlStructuredError; /* this thread's, given back below */
+    void *handler_self = xmlStructuredErrorContext;
+    xmlSetStructuredErrorFunc(&d, on_error);
     il_svg_feed_init(&d.feed, source, longest);
     il_svg_drawing_begin_file(drawing, number, il_source_name(source));
     il_status st = new_parser(&d);
@@ -216,6 +223,7 @@ static il_status read_file(il_svg_drawing *drawing, il_source *source, size_t nu
         st = read_tokens(&d);
     if (d.xml)
         xmlFreeParserCtxt(d.xml);
+    xmlSetStructuredErrorFunc(handler_self, handler);
     il_free(d.n_bound);
     il_svg_feed_free(&d.feed);
     if (st != IL_OK)
@@ -246,17 +254,13 @@ static il_status read_svg(il_source *const *source, size_t n, const il_read_opti
 {
     if (options->has_spacing && !(options->spacing > 0 && options->spacing < 1e15))
         return il_fail(err, IL_E_USAGE, 0, "the spacing must be above 0");
-    xmlStructuredErrorFunc handler = xmlStructuredError;
-    void *handler_self = xmlStructuredErrorContext;
     il_svg_drawing d;
     il_status st = IL_OK;
     il_svg_drawing_init(&d, options, report);
-    xmlSetStructuredErrorFunc(NULL, ignore_error);
     for (size_t i = 0; i < n && st == IL_OK; i++)
         st = read_file(&d, source[i], i, err);
     if (st == IL_OK)
         st = send(&d, source, n, sink, err);
-    xmlSetStructuredErrorFunc(handler_self, handler);
     il_svg_drawing_free(&d);
     return st;
 }

@@ -59,7 +59,7 @@ int il_snap_first_exponent(const il_reference *r)
 
 int il_snap_last_exponent(const il_reference *r)
 {
-    return ilogb(size_of(r)) - 51;
+    return ilogb(size_of(r)) - 52;
 }
 
 static uint32_t grid_point(snapper *s, int64_t x, int64_t y)

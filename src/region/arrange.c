@@ -110,64 +110,128 @@ static bool add_cut(cut_list *list, const il_arrangement *a, uint32_t e, uint32_
     return true;
 }
 
-static bool in_box(const double *p, const double *a, const double *b)
-{
-    return fmin(a[0], b[0]) <= p[0] && p[0] <= fmax(a[0], b[0]) &&
-           fmin(a[1], b[1]) <= p[1] && p[1] <= fmax(a[1], b[1]);
-}
-
 static double clamp(double v, double a, double b)
 {
     return fmin(fmax(v, fmin(a, b)), fmax(a, b));
 }
 
-/* Where the lines ab and cd cross, rounded, kept inside the box of ab. */
-static void crossing_point(const double *a, const double *b, const double *c, const double *d, double out[2])
+static int compare_points(const double *p, const double *q)
 {
+    if (p[0] != q[0])
+        return p[0] < q[0] ? -1 : 1;
+    return p[1] < q[1] ? -1 : p[1] > q[1];
+}
+
+static void order(const double **p, const double **q)
+{
+    if (compare_points(*p, *q) > 0) {
+        const double *swap = *p;
+        *p = *q, *q = swap;
+    }
+}
+
+/* Where the edges ab and cd cross, on the grid.  The same to the bit whatever
+ * the order of edges and ends. */
+static void crossing_point(const double *a, const double *b, const double *c, const double *d, double cell, double out[2])
+{
+    order(&a, &b);
+    order(&c, &d);
+    int first = compare_points(a, c) != 0 ? compare_points(a, c) : compare_points(b, d);
+    if (first > 0) {
+        const double *swap = a;
+        a = c, c = swap;
+        swap = b;
+        b = d, d = swap;
+    }
     double ux = b[0] - a[0], uy = b[1] - a[1], vx = d[0] - c[0], vy = d[1] - c[1];
     double det = ux * vy - uy * vx;
     double t = ((c[0] - a[0]) * vy - (c[1] - a[1]) * vx) / det;
     t = isfinite(t) ? clamp(t, 0, 1) : 0.5;
-    out[0] = clamp(a[0] + t * ux, a[0], b[0]);
-    out[1] = clamp(a[1] + t * uy, a[1], b[1]);
+    out[0] = rint((a[0] + t * ux) / cell) * cell;
+    out[1] = rint((a[1] + t * uy) / cell) * cell;
+}
+
+/* Is node P nearer to the inside of the edge from A to B than 0.72 cells?  That
+ * is a little more than a crossing can be moved (0.7072, half the diagonal).
+ * Rounding errs by 2^-53 of the extent, far less than a cell. */
+static bool is_near(const il_arrangement *g, uint32_t a, uint32_t b, uint32_t p)
+{
+    static const double REACH = 0.72;
+    const double *pa = g->xy + 2 * a, *pb = g->xy + 2 * b, *pp = g->xy + 2 * p;
+    double ux = pb[0] - pa[0], uy = pb[1] - pa[1], px = pp[0] - pa[0], py = pp[1] - pa[1];
+    double along = ux * px + uy * py, length2 = ux * ux + uy * uy, area = ux * py - uy * px;
+    return along > 0 && along < length2 && area * area < REACH * REACH * g->cell * g->cell * length2;
+}
+
+/* Lead edge E through the ends of F that are near it. */
+static bool cut_at_ends(const il_arrangement *a, uint32_t e, uint32_t f, cut_list *cuts)
+{
+    for (size_t k = 0; k < 2; k++) {
+        uint32_t node = a->edge[2 * f + k];
+        if (node == a->edge[2 * e] || node == a->edge[2 * e + 1] || !is_near(a, a->edge[2 * e], a->edge[2 * e + 1], node))
+            continue;
+        if (!add_cut(cuts, a, e, node))
+            return false;
+    }
+    return true;
+}
+
+static bool cross_properly(const il_arrangement *a, const uint32_t e[2], const uint32_t f[2])
+{
+    const double *p = a->xy + 2 * e[0], *q = a->xy + 2 * e[1], *r = a->xy + 2 * f[0], *s = a->xy + 2 * f[1];
+    if (e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1])
+        return false;
+    return il_orientation(p, q, r) * il_orientation(p, q, s) < 0 && il_orientation(r, s, p) * il_orientation(r, s, q) < 0;
 }
 
 /* Cut edges E and F where they meet; *N_CROSSINGS or *N_TOUCHES counts it. */
 static bool cut_pair(il_arrangement *a, uint32_t e, uint32_t f, cut_list *cuts, size_t *n_crossings, size_t *n_touches)
 {
-    const uint32_t *en = a->edge + 2 * e, *fn = a->edge + 2 * f;
-    int side_f[2], side_e[2]; /* of f's ends from e, and the other way */
-    bool touch = false;
-    for (int k = 0; k < 2; k++) {
-        side_f[k] = fn[k] == en[0] || fn[k] == en[1] ? 0
-                  : il_orientation(a->xy + 2 * en[0], a->xy + 2 * en[1], a->xy + 2 * fn[k]);
-        if (side_f[k] == 0 && fn[k] != en[0] && fn[k] != en[1] &&
-            in_box(a->xy + 2 * fn[k], a->xy + 2 * en[0], a->xy + 2 * en[1])) {
-            touch = true;
-            if (!add_cut(cuts, a, e, fn[k]))
-                return false;
-        }
-    }
-    if (side_f[0] == side_f[1] && side_f[0] != 0)
-        return true;
-    for (int k = 0; k < 2; k++) {
-        side_e[k] = en[k] == fn[0] || en[k] == fn[1] ? 0
-                  : il_orientation(a->xy + 2 * fn[0], a->xy + 2 * fn[1], a->xy + 2 * en[k]);
-        if (side_e[k] == 0 && en[k] != fn[0] && en[k] != fn[1] &&
-            in_box(a->xy + 2 * en[k], a->xy + 2 * fn[0], a->xy + 2 * fn[1])) {
-            touch = true;
-            if (!add_cut(cuts, a, f, en[k]))
-                return false;
-        }
-    }
-    *n_touches += touch;
-    if (side_f[0] * side_f[1] >= 0 || side_e[0] * side_e[1] >= 0)
+    const uint32_t en[2] = { a->edge[2 * e], a->edge[2 * e + 1] }, fn[2] = { a->edge[2 * f], a->edge[2 * f + 1] };
+    size_t before = cuts->n;
+    if (!cut_at_ends(a, e, f, cuts) || !cut_at_ends(a, f, e, cuts))
+        return false;
+    *n_touches += cuts->n > before;
+    if (cuts->n > before || !cross_properly(a, en, fn))
         return true;
     double p[2];
-    crossing_point(a->xy + 2 * en[0], a->xy + 2 * en[1], a->xy + 2 * fn[0], a->xy + 2 * fn[1], p);
+    crossing_point(a->xy + 2 * en[0], a->xy + 2 * en[1], a->xy + 2 * fn[0], a->xy + 2 * fn[1], a->cell, p);
     uint32_t node = il_arrangement_node(a, p[0], p[1], IL_VERTEX_INSERTED);
     ++*n_crossings;
     return node != UINT32_MAX && add_cut(cuts, a, e, node) && add_cut(cuts, a, f, node);
+}
+
+/* Extent and magnitude of points, from which the cell follows. */
+typedef struct spread {
+    double low[2], high[2], largest;
+} spread;
+
+static const spread NO_SPREAD = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY }, 0 };
+
+static void widen(spread *s, const double *xy, size_t n_points)
+{
+    for (size_t i = 0; i < 2 * n_points; i++) {
+        s->low[i % 2] = fmin(s->low[i % 2], xy[i]);
+        s->high[i % 2] = fmax(s->high[i % 2], xy[i]);
+        s->largest = fmax(s->largest, fabs(xy[i]));
+    }
+}
+
+/* A power of two: see arrange.h. */
+static double cell_of(const spread *s)
+{
+    double extent = fmax(s->high[0] - s->low[0], s->high[1] - s->low[1]);
+    if (!(extent > 0))
+        return 0x1p-44;
+    return ldexp(1, (int)fmax(ilogb(extent) - 44, ilogb(s->largest) - 49));
+}
+
+double il_slice_cell(const il_slice *slice)
+{
+    spread s = NO_SPREAD;
+    for (size_t i = 0; i < slice->n; i++)
+        widen(&s, slice->ring[i].xy, slice->ring[i].n);
+    return cell_of(&s);
 }
 
 static int compare_cuts(const void *p, const void *q)
@@ -210,8 +274,8 @@ static double *edge_boxes(const il_arrangement *a)
     double *box = il_alloc(a->n_edges, 4 * sizeof *box);
     for (size_t e = 0; box && e < a->n_edges; e++) {
         const double *p = a->xy + 2 * a->edge[2 * e], *q = a->xy + 2 * a->edge[2 * e + 1];
-        box[4 * e] = fmin(p[0], q[0]), box[4 * e + 1] = fmin(p[1], q[1]);
-        box[4 * e + 2] = fmax(p[0], q[0]), box[4 * e + 3] = fmax(p[1], q[1]);
+        box[4 * e] = fmin(p[0], q[0]) - a->cell, box[4 * e + 1] = fmin(p[1], q[1]) - a->cell;
+        box[4 * e + 2] = fmax(p[0], q[0]) + a->cell, box[4 * e + 3] = fmax(p[1], q[1]) + a->cell;
     }
     return box;
 }
@@ -239,6 +303,9 @@ il_status il_arrangement_settle(il_arrangement *a, size_t *crossings, size_t *to
     cut_list cuts = { NULL, 0, 0 };
     il_status st = IL_OK;
     *crossings = *touches = 0;
+    spread extent = NO_SPREAD;
+    widen(&extent, a->xy, a->n_nodes);
+    a->cell = cell_of(&extent);
     for (int round = 0;; round++) {
         if (round == IL_ARRANGE_ROUNDS)
             st = il_fail(err, IL_E_INPUT, 0, "the crossings of the contours do not settle");

@@ -29,9 +29,9 @@ static void round_ring(il_ring *r, il_report *report)
         il_report_repair(report, IL_REPAIR_ROUNDED_POINT, moved);
 }
 
-static bool same_point(const il_ring *r, size_t i, size_t j)
+static bool same_point(const il_ring *r, size_t i, size_t j, double cell)
 {
-    return r->xy[2 * i] == r->xy[2 * j] && r->xy[2 * i + 1] == r->xy[2 * j + 1];
+    return fabs(r->xy[2 * i] - r->xy[2 * j]) < cell && fabs(r->xy[2 * i + 1] - r->xy[2 * j + 1]) < cell;
 }
 
 /* One zero, so that the same contours give the same bytes on every road. */
@@ -41,19 +41,20 @@ static void drop_negative_zeros(il_ring *r)
         r->xy[i] += 0.0;
 }
 
-/* Drop vertices equal to the one before, and last ones equal to the first. */
-static void drop_repeated(il_ring *r, il_report *report)
+/* Drop vertices equal to the one before, and last ones equal to the first, be it
+ * but for rounding: programs that compute a closing point miss it by an ulp. */
+static void drop_repeated(il_ring *r, double cell, il_report *report)
 {
     size_t n = 0;
     for (size_t i = 0; i < r->n; i++) {
-        if (n > 0 && same_point(r, i, n - 1))
+        if (n > 0 && same_point(r, i, n - 1, cell))
             continue;
         memmove(r->xy + 2 * n, r->xy + 2 * i, 2 * sizeof *r->xy);
         if (r->mark)
             r->mark[n] = r->mark[i];
         n++;
     }
-    while (n > 1 && same_point(r, 0, n - 1))
+    while (n > 1 && same_point(r, 0, n - 1, cell))
         n--;
     if (n < r->n)
         il_report_repair(report, IL_REPAIR_REPEATED_POINT, r->n - n);
@@ -160,11 +161,14 @@ static il_status check_open(const il_slice *s, il_error *err)
 static il_status prepare_rings(il_slice *s, const il_clean_options *o, il_report *report, il_error *err)
 {
     for (size_t i = 0; i < s->n; i++) {
-        il_ring *r = &s->ring[i];
         if (o->round_float)
-            round_ring(r, report);
-        drop_negative_zeros(r);
-        drop_repeated(r, report);
+            round_ring(&s->ring[i], report);
+        drop_negative_zeros(&s->ring[i]);
+    }
+    double cell = il_slice_cell(s);
+    for (size_t i = 0; i < s->n; i++) {
+        il_ring *r = &s->ring[i];
+        drop_repeated(r, cell, report);
         if (is_degenerate(r)) {
             il_report_repair(report, IL_REPAIR_DEGENERATE_RING, 1);
             r->n = 0;

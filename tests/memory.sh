@@ -1,0 +1,93 @@
+# memory.sh - every allocation failing in turn, and memory that does not run away.
+. "$srcdir/tests/tap.sh"
+
+block small >block.loft
+"$ISOLOFT" block.loft -t ply >block.ply
+printf '<svg><title>s</title><g data-z="0"><rect width="9" height="9"/><circle cx="4" cy="4" r="2"/></g>
+<g id="layer2" data-z="1" transform="scale(2)"><path d="M0 0h4v4h-4zM1 1v2h2v-2z"/></g></svg>' >small.svg
+
+# The k-th allocation fails, and all after it, for k = 0, 1, 2 ... until the run
+# succeeds: each time exit 5, one line, no crash, nothing left.  A word that was
+# lost for want of memory is no failure, so a success has to be the same output.
+# Short: every step'th from the 60th on.
+step=7
+[ -z "${ISOLOFT_LONG-}" ] || step=1
+sanitized && step=$((step * 5))
+starve() { # SENTENCE COMMAND...: writes to box/
+    sentence=$1
+    shift
+    k=0 why=
+    rm -rf box whole
+    mkdir box
+    "$@" >out 2>/dev/null || why="it fails with all the memory there is"
+    cp out box/out
+    cp -r box whole
+    while [ -z "$why" ]; do
+        rm -rf box
+        mkdir box
+        ISOLOFT_TEST_ALLOC=$k "$@" >out 2>err
+        status=$?
+        if [ $status -eq 0 ]; then
+            cp out box/out
+            diff -r box whole >/dev/null || why="k = $k: exit 0 and other output"
+            break
+        elif [ $status -ne 5 ]; then
+            why="k = $k: exit $status: $(head -n 3 err)"
+        elif ! one_error; then
+            why="k = $k: not one line: $(head -n 3 err)"
+        else
+            for file in box/* box/.[!.]*; do # in a folder a stack may have been written before
+                [ ! -e "$file" ] || [ "$file" = box/index.json ] || cmp -s "$file" "whole/${file#box/}" ||
+                    why="k = $k: left $file"
+            done
+        fi
+        k=$((k + 1))
+        [ $k -lt 60 ] || k=$((k + step - 1))
+    done
+    if [ -n "$why" ] || [ $k -lt 3 ]; then
+        case_bad "$sentence" "$why" "k = $k"
+    else
+        case_ok "$sentence ($k allocations)"
+    fi
+}
+starve "convert survives every failing allocation" "$ISOLOFT" block.loft -o box/b.stl
+starve "so does SVG, with pairs and a dome" "$ISOLOFT" small.svg --cap dome -o box/b.ply --pairs box/p.loft
+starve "so does read" "$ISOLOFT" read small.svg -o box/b.loft
+starve "so does match" "$ISOLOFT" match block.loft -o box/b.loft
+starve "so does mesh" "$ISOLOFT" mesh block.loft -o box/b.obj --to in
+starve "so does a folder" "$ISOLOFT" block.loft -o box/ -t obj
+starve "so does info" "$ISOLOFT" info block.loft
+starve "so does check of a mesh" "$ISOLOFT" check block.ply
+starve "so does check of a stream" "$ISOLOFT" check block.loft
+exits 5 "out of memory is exit 5" env ISOLOFT_TEST_ALLOC=0 "$ISOLOFT" block.loft
+holds "and says so" grep -q "out of memory" err
+
+if [ -f "$builddir/config.h" ] && ! sanitized; then
+    # SENTENCE MOST COMMAND...: twice the input takes at most MOST percent of the memory
+    doubles() {
+        sentence=$1 most=$2
+        shift 2
+        "$@" once.loft --json=once.json -o once.out && "$@" twice.loft --json=twice.json -o twice.out
+        a=$(sed 's/.*"peak_bytes":\([0-9]*\).*/\1/' once.json) b=$(sed 's/.*"peak_bytes":\([0-9]*\).*/\1/' twice.json)
+        if [ $((b * 100)) -le $((a * most)) ]; then
+            case_ok "$sentence"
+        else
+            case_bad "$sentence" "$a bytes, then $b"
+        fi
+    }
+    pillar 400 200 >once.loft
+    pillar 800 200 >twice.loft
+    doubles "twice the slices: memory grows by less than a tenth in read" 110 "$ISOLOFT" read -t loft
+    doubles "and in match" 110 "$ISOLOFT" match -t loft
+    doubles "and to a mesh in less than 2.3 times" 230 "$ISOLOFT" -t ply
+    pillar 12 4000 >once.loft
+    pillar 12 8000 >twice.loft
+    doubles "twice the vertices a slice: less than 2.3 times" 230 "$ISOLOFT" -t ply
+    pillar 3000 4 >once.loft
+    pillar 6000 4 >twice.loft
+    doubles "twice the slices of four vertices: less than 2.3 times" 230 "$ISOLOFT" -t stl
+else
+    skip "twice the input, at most 2.3 times the memory" "sanitizers keep memory of their own"
+fi
+
+plan

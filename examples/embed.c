@@ -1,7 +1,6 @@
 /* embed.c - isoloft in another program: a vase from circles, as arrays and as STL.
  *
- *     cc -c embed.c $(pkg-config --cflags isoloft)
- *     c++ embed.o -o embed $(pkg-config --static --libs isoloft)
+ *     cc embed.c -o embed $(pkg-config --cflags --libs isoloft)
  *     ./embed vase.stl
  */
 #include <isoloft.h>

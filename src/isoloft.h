@@ -13,8 +13,7 @@
  *     il_error err = IL_ERROR_INIT;
  *     if (il_loft(&from, &to, NULL, &err) != IL_OK) puts(err.text);
  *
- * Build with `pkg-config --cflags --libs isoloft`, and link with the C++
- * compiler or -lstdc++ (pkg-config says so).  The library prints nothing, keeps
+ * Build with `pkg-config --cflags --libs isoloft`.  The library prints nothing, keeps
  * nothing between calls and never ends the process; calls at the same time are
  * safe.  It starts threads only while il_loft runs.  GPL-3.0-or-later. */
 #ifndef ISOLOFT_H

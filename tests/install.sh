@@ -52,14 +52,14 @@ if command -v pkg-config >/dev/null; then
     PKG_CONFIG_PATH=$(dirname "$(find "$root" -name isoloft.pc)")${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
     PKG_CONFIG_SYSROOT_DIR=$root
     export PKG_CONFIG_PATH PKG_CONFIG_SYSROOT_DIR
-    cflags=$(pkg-config --cflags isoloft 2>log) && libs=$(pkg-config --static --libs isoloft 2>>log)
+    cflags=$(pkg-config --cflags isoloft 2>log) && libs=$(pkg-config --libs isoloft 2>>log)
     result $? "pkg-config knows how to build with isoloft"
     # The libraries that isoloft needs are the system's, not the installation's.
     cflags=$(echo "$cflags" | sed "s|-I$root/usr/include/libxml2||")
 
     $CC -std=c99 -pedantic -Wall -Wextra -Werror ${IL_SANITIZE-} $cflags -c embed.c -o embed.o >log 2>&1
     result $? "the example is plain C with no warning"
-    $CXX ${IL_SANITIZE-} embed.o -o embed $libs >log 2>&1
+    $CC ${IL_SANITIZE-} embed.o -o embed $libs >log 2>&1
     result $? "the example links"
 else
     for what in "pkg-config knows how to build with isoloft" "the example is plain C with no warning" "the example links"; do

@@ -20,7 +20,7 @@ cat "$vase" | "$ISOLOFT" - -t ply >dash.ply
 holds "a dash is standard input" cmp whole.ply dash.ply
 gzip -c "$vase" | "$ISOLOFT" -t ply >gzip.ply
 holds "compressed input is read" cmp whole.ply gzip.ply
-cat "$vase" >read
+cat "$vase" >./read
 "$ISOLOFT" ./read -t ply >file.ply
 holds "a file with the name of a verb is given as ./read" cmp whole.ply file.ply
 "$ISOLOFT" -- "$vase" >default.stl

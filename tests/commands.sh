@@ -20,7 +20,7 @@ cat "$vase" | "$ISOLOFT" - -t ply >dash.ply
 holds "a dash is standard input" cmp whole.ply dash.ply
 gzip -c "$vase" | "$ISOLOFT" -t ply >gzip.ply
 holds "compressed input is read" cmp whole.ply gzip.ply
-cp "$vase" read
+cat "$vase" >./read
 "$ISOLOFT" ./read -t ply >file.ply
 holds "a file with the name of a verb is given as ./read" cmp whole.ply file.ply
 "$ISOLOFT" -- "$vase" >default.stl
@@ -42,7 +42,7 @@ holds "pairs of the stream give the same mesh" cmp whole.ply matched.ply
 "$ISOLOFT" read read.loft >read2.loft
 holds "read leaves what it wrote as it is" cmp read.loft read2.loft
 
-cp "$vase" both.loft
+cat "$vase" >both.loft
 "$ISOLOFT" read both.loft -o both.loft
 holds "a file can be read and replaced in one run" cmp both.loft read.loft
 printf 'isoloft 1\nunit mm\nstack "a"\nend\n' >a.loft

@@ -22,7 +22,7 @@ wrong() { # CODE PLACE SENTENCE COMMAND...: PLACE is FILE or FILE:LINE
 count=0 lines=0
 for file in "$srcdir"/formats/loft/invalid/*.loft; do
     name=$(basename "$file")
-    cp "$file" "$name"
+    cat "$file" >"$name"
     echo old >old/file
     "$ISOLOFT" read "$name" -o old/file -t loft >out 2>err
     status=$?

@@ -52,6 +52,17 @@ holds "one a stack, also without contours" test "$(find streams -name '*.loft' |
 exits 0 "so does convert, OBJ with its colours" "$ISOLOFT" many.loft -o colours/ -t obj
 holds "beside it" sh -c 'ls colours | grep -c "mtl$" | grep -qx 1'
 
+# ---- many stacks ---------------------------------------------------------------
+
+{
+    printf 'isoloft 1\nunit mm\n'
+    awk 'BEGIN { for (k = 0; k < 3000; k++) print "stack \"s\"\nslice 0\nring\n0 0\n0 0\n9 0\n9 9\nslice 1\nring\n0 0\n9 0\n9 9"
+        print "end" }'
+} >thousands.loft
+exits 0 "three thousand stacks of one name and no number" "$ISOLOFT" read thousands.loft -o thousands/
+holds "have three thousand files" test "$(find thousands -name '*.loft' | wc -l)" -eq 3000
+holds "and do not fill the screen" test "$(wc -l <err)" -le 12
+
 # ---- one bad stack does not stop the others ------------------------------------
 
 block good | sed '$d' >bad.loft

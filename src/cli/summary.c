@@ -202,14 +202,27 @@ static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
         il_message_detail(v, "%s: written to %s", label, s->file);
 }
 
+static bool has_words(const il_stack_account *s)
+{
+    size_t n = s->report.n_notes + s->report.n_skips + s->n_gaps;
+    for (int k = 0; k < IL_N_REPAIRS; k++)
+        n += k == IL_REPAIR_ROUNDED_POINT ? 0 : s->report.repair[k];
+    return n > 0;
+}
+
 void il_summary_say(const il_result *r, il_voice *v)
 {
     const il_account *a = &r->account;
+    size_t told = 0;
     for (size_t k = 0; k < a->n; k++) {
         char label[160];
         stack_label(&a->stack[k], k, label, sizeof label);
-        say_report(&a->stack[k], label, v);
+        told += has_words(&a->stack[k]);
+        if (v->verbose || told <= LINES_FEW)
+            say_report(&a->stack[k], label, v);
         say_stack(&a->stack[k], label, v);
     }
+    if (!v->verbose && told > LINES_FEW)
+        il_message_note(v, "and so on: there is something to say of %zu stacks (-v says it)", told);
     il_message_detail(v, "%.2f seconds", r->seconds);
 }

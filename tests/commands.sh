@@ -77,6 +77,7 @@ holds "and then nothing is written" test ! -e strict.ply
 exits 3 "--strict holds for read as well" sh -c '"$ISOLOFT" read --strict bow.loft >strict.loft'
 holds "and the stream has no end" sh -c '! grep -qx end strict.loft'
 exits 0 "--strict passes clean input, to STL too" "$ISOLOFT" "$vase" --strict -o strict.stl
+exits 0 "--strict passes SVG, whose y axis turns every ring" "$ISOLOFT" "$srcdir/examples/vase.svg" --strict -o strict.stl
 exits 0 "-q says nothing" "$ISOLOFT" -q bow.loft -o bow.ply
 holds "at all" test ! -s err
 

@@ -357,6 +357,18 @@ static void a_pair_is_freed_with_all_it_holds(void **state)
 
 /* ---- report --------------------------------------------------------------- */
 
+static void turned_rings_and_pinches_are_told_but_no_faults(void **state)
+{
+    (void)state;
+    for (int i = 0; i < IL_N_REPAIRS; i++) {
+        il_report r = IL_REPORT_INIT;
+        il_report_repair(&r, (il_repair)i, 1);
+        assert_int_equal(r.repair[i], 1);
+        assert_int_equal(il_report_any(&r), i != IL_REPAIR_REVERSED_RING && i != IL_REPAIR_PINCH);
+        il_report_free(&r);
+    }
+}
+
 static void equal_skips_fold_and_all_are_counted(void **state)
 {
     (void)state;
@@ -462,6 +474,7 @@ int main(void)
         cmocka_unit_test(a_mesh_grows_and_is_freed_twice),
         cmocka_unit_test(a_mesh_without_memory_gains_nothing),
         cmocka_unit_test(a_pair_is_freed_with_all_it_holds),
+        cmocka_unit_test(turned_rings_and_pinches_are_told_but_no_faults),
         cmocka_unit_test(equal_skips_fold_and_all_are_counted),
         cmocka_unit_test(skips_beyond_the_limit_are_counted_only),
         cmocka_unit_test(without_memory_words_are_lost_but_no_count),

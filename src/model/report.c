@@ -105,10 +105,17 @@ void il_report_repair(il_report *r, il_repair what, size_t n)
         r->repair[what] += n;
 }
 
+/* Few formats say which way a ring runs, and SVG's y axis turns them all; a
+ * pinch is kept as it is. */
+static bool is_fault(il_repair r)
+{
+    return r != IL_REPAIR_REVERSED_RING && r != IL_REPAIR_PINCH;
+}
+
 bool il_report_any(const il_report *r)
 {
     size_t n = r->n_skipped;
     for (int i = 0; i < IL_N_REPAIRS; i++)
-        n += r->repair[i];
+        n += is_fault(i) ? r->repair[i] : 0;
     return n > 0;
 }

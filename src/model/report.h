@@ -56,6 +56,8 @@ void il_report_skip(il_report *r, const char *file, long line, const char *what,
 void il_report_note(il_report *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void il_report_repair(il_report *r, il_repair what, size_t n);
 
-bool il_report_any(const il_report *r);   /* anything skipped or repaired? (--strict) */
+/* Was anything wrong with the input: skipped or repaired?  (--strict)  Rings
+ * turned round and pinches are told, but they are no faults. */
+bool il_report_any(const il_report *r);
 
 #endif

@@ -432,10 +432,10 @@ static void notes_are_printable_and_no_report_is_fine(void **state)
     assert_string_equal(r.note[0], "taken as mm\\x09");
     assert_true(strlen(r.note[1]) > 300 && strlen(r.note[1]) < 400);
     assert_false(il_report_any(&r)); /* a note is no repair */
-    il_report_repair(&r, IL_REPAIR_PINCH, 0);
+    il_report_repair(&r, IL_REPAIR_TOUCH, 0);
     assert_false(il_report_any(&r));
-    il_report_repair(&r, IL_REPAIR_PINCH, 2);
-    assert_int_equal(r.repair[IL_REPAIR_PINCH], 2);
+    il_report_repair(&r, IL_REPAIR_TOUCH, 2);
+    assert_int_equal(r.repair[IL_REPAIR_TOUCH], 2);
     assert_true(il_report_any(&r));
     il_report_free(&r);
     il_report_note(NULL, "nothing");

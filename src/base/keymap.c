@@ -13,9 +13,12 @@ static uint64_t mix(uint64_t z)
     return z ^ z >> 31;
 }
 
+/* Keys may be coordinates from a file: the table's own address goes into the
+ * hash, so that no file can be made to have all its keys in one place.  Nothing
+ * else depends on where a key lies. */
 static struct il_keymap_slot *find(const il_keymap *m, uint64_t a, uint64_t b)
 {
-    size_t mask = m->size - 1, i = mix(a + UINT64_C(0x9E3779B97F4A7C15) * mix(b)) & mask;
+    size_t mask = m->size - 1, i = mix(mix(a ^ (uintptr_t)m->slot) + b) & mask;
     while (m->slot[i].used && (m->slot[i].a != a || m->slot[i].b != b))
         i = (i + 1) & mask;
     return &m->slot[i];

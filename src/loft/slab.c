@@ -87,20 +87,31 @@ static il_status try_grid(il_slab *s, il_section *lower, il_section *upper, cons
     return st;
 }
 
-/* Attempt B: phi is the identity.  The grid is made finer by 16 while two
- * vertices of one slice fall on one point of it, down to what 53 bits hold. */
+/* The grid to try after EXPONENT: a coarser one once, when triangles crossed on
+ * the first (what nearly coincides is one thing there), else ever finer ones,
+ * since two vertices of one slice fell on one point. */
+static int next_exponent(int exponent, int first, int last, il_flaw flaw)
+{
+    if (exponent == first && flaw == IL_FLAW_CROSSING)
+        return first + 4;
+    int finer = (exponent > first ? first : exponent) - 4;
+    return finer > last ? finer : last;
+}
+
+/* Attempt B: phi is the identity. */
 static il_status attempt_identity(il_slab *s, il_section *lower, il_section *upper, bool round_float, il_error *err)
 {
     il_reference r;
     il_status st = il_reference_build(&r, lower, upper, err);
     if (st != IL_OK)
         return st;
-    int last = il_snap_last_exponent(&r);
-    trial t = { il_snap_first_exponent(&r), 0.5, round_float };
-    for (;; t.exponent = t.exponent - 4 > last ? t.exponent - 4 : last) {
+    int first = il_snap_first_exponent(&r, round_float), last = il_snap_last_exponent(&r);
+    trial t = { first, 0.5, round_float };
+    for (;;) {
         st = try_grid(s, lower, upper, &r, t, err);
         if (st != IL_OK || s->verdict.flaw == IL_FLAW_NONE || t.exponent <= last)
             break;
+        t.exponent = next_exponent(t.exponent, first, last, s->verdict.flaw);
     }
     il_reference_free(&r);
     s->attempt = IL_ATTEMPT_B;

@@ -52,9 +52,16 @@ static double size_of(const il_reference *r)
     return size > 0 && isfinite(size) ? size : 1;
 }
 
-int il_snap_first_exponent(const il_reference *r)
+int il_snap_first_exponent(const il_reference *r, bool round_float)
 {
-    return ilogb(size_of(r) * 1e-7);
+    int exponent = ilogb(size_of(r) * 1e-7);
+    double low[2], high[2];
+    extent(r, low, high);
+    double largest = fmax(fmax(-low[0], high[0]), fmax(-low[1], high[1]));
+    if (!round_float || !(largest > 0) || !isfinite(largest))
+        return exponent;
+    int eight_ulps = ilogb(largest) - 20;
+    return eight_ulps > exponent ? eight_ulps : exponent;
 }
 
 int il_snap_last_exponent(const il_reference *r)

@@ -35,8 +35,10 @@ void il_snapped_free(il_snapped *s);
 /* Grid point I back in reference coordinates. */
 void il_snapped_point(const il_snapped *s, size_t i, double out[2]);
 
-/* The exponent with which to begin: cells of about 1e-7 of the size of R. */
-int il_snap_first_exponent(const il_reference *r);
+/* The exponent with which to begin: cells of about 1e-7 of the size of R, and
+ * with ROUND_FLOAT not below 8 ulp of a 32-bit float at its largest coordinate,
+ * so that rounding cannot carry one inserted point past another. */
+int il_snap_first_exponent(const il_reference *r, bool round_float);
 /* The finest that 53 bits hold for R. */
 int il_snap_last_exponent(const il_reference *r);
 

@@ -59,7 +59,9 @@ if command -v pkg-config >/dev/null; then
 
     $CC -std=c99 -pedantic -Wall -Wextra -Werror ${IL_SANITIZE-} $cflags -c embed.c -o embed.o >log 2>&1
     result $? "the example is plain C with no warning"
-    $CC ${IL_SANITIZE-} embed.o -o embed $libs >log 2>&1
+    linker=$CC
+    [ -z "${IL_SANITIZE-}" ] || linker=$CXX # the sanitizers of C++ are not in C's library
+    $linker ${IL_SANITIZE-} embed.o -o embed $libs >log 2>&1
     result $? "the example links"
 else
     for what in "pkg-config knows how to build with isoloft" "the example is plain C with no warning" "the example links"; do

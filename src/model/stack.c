@@ -148,6 +148,26 @@ size_t il_slice_points(const il_slice *s)
     return n;
 }
 
+static unsigned char mark_of(const il_ring *r, size_t i)
+{
+    return r->mark ? r->mark[i] : 0;
+}
+
+bool il_slice_equal_rings(const il_slice *a, const il_slice *b)
+{
+    if (a->n != b->n)
+        return false;
+    for (size_t i = 0; i < a->n; i++) {
+        const il_ring *p = &a->ring[i], *q = &b->ring[i];
+        if (p->n != q->n || (p->n > 0 && memcmp(p->xy, q->xy, 2 * p->n * sizeof *p->xy) != 0))
+            return false;
+        for (size_t k = 0; k < p->n; k++)
+            if (mark_of(p, k) != mark_of(q, k))
+                return false;
+    }
+    return true;
+}
+
 static bool copy_ring(il_ring *to, const il_ring *from)
 {
     to->open = from->open;

@@ -63,6 +63,8 @@ il_ring *il_slice_add_ring(il_slice *s);
 /* Area of the region, unit^2: sum of the rings' signed areas (normalised slice). */
 double il_slice_area(const il_slice *s);
 size_t il_slice_points(const il_slice *s);
+/* The same rings in the same order, bit for bit, with the same marks? */
+bool il_slice_equal_rings(const il_slice *a, const il_slice *b);
 /* TO is overwritten, whatever it held; empty after failure. */
 il_status il_slice_copy(il_slice *to, const il_slice *from, il_error *err);
 

@@ -4,6 +4,7 @@
 #include "bridge/boxes.h"
 #include "bridge/predicates.h"
 #include "model/ring.h"
+#include "region/near.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,16 +13,22 @@
  * with more meetings than this is noise, not contours. */
 static const size_t MAX_PAIRS = 50 * 1000 * 1000;
 
-/* Edge runs through NODE; along orders the cuts of one edge. */
+/* Edge runs through NODE; along, its coordinate in the edge's long axis, orders
+ * the cuts of one edge. */
 typedef struct cut {
     uint32_t edge, node;
     double along;
 } cut;
 
-typedef struct cut_list {
-    cut *cut;
-    size_t n, cap;
-} cut_list;
+/* The cuts of one round, and what all rounds go by: the nodes by their places;
+ * touched[n_input]: the nodes of before that an edge was led through. */
+typedef struct settling {
+    il_arrangement *a;
+    cut *cut;              size_t n_cuts, cap_cuts;
+    il_near near;
+    bool *touched;
+    size_t n_input;
+} settling;
 
 void il_arrangement_free(il_arrangement *a)
 {
@@ -69,8 +76,9 @@ bool il_arrangement_edge(il_arrangement *a, uint32_t from, uint32_t to, uint32_t
     return true;
 }
 
-il_status il_arrangement_from_slice(il_arrangement *a, const il_slice *s, il_error *err)
+il_status il_arrangement_from_slice(il_arrangement *a, const il_slice *s, double cell, il_error *err)
 {
+    a->cell = cell;
     for (size_t i = 0; i < s->n; i++) {
         const il_ring *r = &s->ring[i];
         uint32_t first = 0, before = 0;
@@ -90,23 +98,24 @@ il_status il_arrangement_from_slice(il_arrangement *a, const il_slice *s, il_err
     return IL_OK;
 }
 
-/* Position of node P along edge E, by the axis in which the edge is longer:
- * for points on the edge that is monotone and needs no arithmetic. */
-static double place_along(const il_arrangement *a, uint32_t e, uint32_t p)
+/* The axis in which edge E is longer: along it nodes on the edge are in order by
+ * their coordinates alone, without arithmetic. */
+static size_t long_axis(const il_arrangement *a, uint32_t e)
 {
     const double *from = a->xy + 2 * a->edge[2 * e], *to = a->xy + 2 * a->edge[2 * e + 1];
-    double dx = to[0] - from[0], dy = to[1] - from[1];
-    size_t axis = fabs(dx) >= fabs(dy) ? 0 : 1;
-    return (axis ? dy : dx) > 0 ? a->xy[2 * p + axis] : -a->xy[2 * p + axis];
+    return fabs(to[0] - from[0]) >= fabs(to[1] - from[1]) ? 0 : 1;
 }
 
-static bool add_cut(cut_list *list, const il_arrangement *a, uint32_t e, uint32_t node)
+static bool add_cut(settling *s, uint32_t e, uint32_t node)
 {
+    const il_arrangement *a = s->a;
     if (node == a->edge[2 * e] || node == a->edge[2 * e + 1])
         return true;
-    if (!il_grow(&list->cut, &list->cap, list->n + 1, sizeof *list->cut))
+    if (!il_grow(&s->cut, &s->cap_cuts, s->n_cuts + 1, sizeof *s->cut))
         return false;
-    list->cut[list->n++] = (cut){ e, node, place_along(a, e, node) };
+    s->cut[s->n_cuts++] = (cut){ e, node, a->xy[2 * node + long_axis(a, e)] };
+    if (node < s->n_input)
+        s->touched[node] = true;
     return true;
 }
 
@@ -130,8 +139,8 @@ static void order(const double **p, const double **q)
     }
 }
 
-/* Where the edges ab and cd cross, on the grid.  The same to the bit whatever
- * the order of edges and ends. */
+/* Where the edges ab and cd cross, in cells, so that the smallest numbers do.
+ * The same to the bit whatever the order of edges and ends. */
 static void crossing_point(const double *a, const double *b, const double *c, const double *d, double cell, double out[2])
 {
     order(&a, &b);
@@ -143,12 +152,36 @@ static void crossing_point(const double *a, const double *b, const double *c, co
         swap = b;
         b = d, d = swap;
     }
-    double ux = b[0] - a[0], uy = b[1] - a[1], vx = d[0] - c[0], vy = d[1] - c[1];
+    double ux = (b[0] - a[0]) / cell, uy = (b[1] - a[1]) / cell, vx = (d[0] - c[0]) / cell, vy = (d[1] - c[1]) / cell;
     double det = ux * vy - uy * vx;
-    double t = ((c[0] - a[0]) * vy - (c[1] - a[1]) * vx) / det;
+    double t = ((c[0] - a[0]) / cell * vy - (c[1] - a[1]) / cell * vx) / det;
     t = isfinite(t) ? clamp(t, 0, 1) : 0.5;
-    out[0] = rint((a[0] + t * ux) / cell) * cell;
-    out[1] = rint((a[1] + t * uy) / cell) * cell;
+    out[0] = a[0] / cell + t * ux;
+    out[1] = a[1] / cell + t * uy;
+}
+
+/* From A to P in cells. */
+static void way(const il_arrangement *g, uint32_t a, uint32_t p, double to[2])
+{
+    to[0] = (g->xy[2 * p] - g->xy[2 * a]) / g->cell;
+    to[1] = (g->xy[2 * p + 1] - g->xy[2 * a + 1]) / g->cell;
+}
+
+static double length2(const double u[2])
+{
+    return u[0] * u[0] + u[1] * u[1];
+}
+
+/* Is P nearer to A and to B than they are to each other?  Only then may an edge
+ * between them be led through it: so edges grow shorter with every cut, and
+ * cutting comes to an end. */
+static bool shortens(const il_arrangement *g, uint32_t a, uint32_t b, uint32_t p)
+{
+    double u[2], v[2], w[2];
+    way(g, a, b, u);
+    way(g, a, p, v);
+    way(g, b, p, w);
+    return length2(v) < length2(u) && length2(w) < length2(u);
 }
 
 /* Is node P nearer to the inside of the edge from A to B than 0.72 cells?  That
@@ -157,20 +190,22 @@ static void crossing_point(const double *a, const double *b, const double *c, co
 static bool is_near(const il_arrangement *g, uint32_t a, uint32_t b, uint32_t p)
 {
     static const double REACH = 0.72;
-    const double *pa = g->xy + 2 * a, *pb = g->xy + 2 * b, *pp = g->xy + 2 * p;
-    double ux = pb[0] - pa[0], uy = pb[1] - pa[1], px = pp[0] - pa[0], py = pp[1] - pa[1];
-    double along = ux * px + uy * py, length2 = ux * ux + uy * uy, area = ux * py - uy * px;
-    return along > 0 && along < length2 && area * area < REACH * REACH * g->cell * g->cell * length2;
+    double u[2], v[2];
+    way(g, a, b, u);
+    way(g, a, p, v);
+    double along = u[0] * v[0] + u[1] * v[1], area = u[0] * v[1] - u[1] * v[0];
+    return along > 0 && along < length2(u) && area * area < REACH * REACH * length2(u) && shortens(g, a, b, p);
 }
 
 /* Lead edge E through the ends of F that are near it. */
-static bool cut_at_ends(const il_arrangement *a, uint32_t e, uint32_t f, cut_list *cuts)
+static bool cut_at_ends(settling *s, uint32_t e, uint32_t f)
 {
+    const il_arrangement *a = s->a;
     for (size_t k = 0; k < 2; k++) {
         uint32_t node = a->edge[2 * f + k];
         if (node == a->edge[2 * e] || node == a->edge[2 * e + 1] || !is_near(a, a->edge[2 * e], a->edge[2 * e + 1], node))
             continue;
-        if (!add_cut(cuts, a, e, node))
+        if (!add_cut(s, e, node))
             return false;
     }
     return true;
@@ -184,21 +219,50 @@ static bool cross_properly(const il_arrangement *a, const uint32_t e[2], const u
     return il_orientation(p, q, r) * il_orientation(p, q, s) < 0 && il_orientation(r, s, p) * il_orientation(r, s, q) < 0;
 }
 
-/* Cut edges E and F where they meet; *N_CROSSINGS or *N_TOUCHES counts it. */
-static bool cut_pair(il_arrangement *a, uint32_t e, uint32_t f, cut_list *cuts, size_t *n_crossings, size_t *n_touches)
+/* May edge E be led through NODE, or does it end there? */
+static bool may_pass(const il_arrangement *a, uint32_t e, uint32_t node)
 {
+    uint32_t from = a->edge[2 * e], to = a->edge[2 * e + 1];
+    return node == from || node == to || shortens(a, from, to, node);
+}
+
+/* The node at (X, Y), new if there is none; not at -0. */
+static uint32_t node_at(settling *s, double x, double y)
+{
+    x += 0.0, y += 0.0;
+    size_t n = s->a->n_nodes;
+    uint32_t node = il_arrangement_node(s->a, x, y, IL_VERTEX_INSERTED);
+    return node == UINT32_MAX || node < n || il_near_add(&s->near, x, y) ? node : UINT32_MAX;
+}
+
+/* The node for the crossing of edges E and F at P, in cells: one that is near,
+ * else one on the grid; where edges are as short as cells, the very point. */
+static uint32_t crossing_node(settling *s, uint32_t e, uint32_t f, const double p[2])
+{
+    const il_arrangement *a = s->a;
+    double x = rint(p[0]) * a->cell, y = rint(p[1]) * a->cell;
+    uint32_t node = il_near_find(&s->near, x, y);
+    if (node == UINT32_MAX)
+        node = node_at(s, x, y);
+    if (node == UINT32_MAX || (may_pass(a, e, node) && may_pass(a, f, node)))
+        return node;
+    return node_at(s, p[0] * a->cell, p[1] * a->cell);
+}
+
+/* Cut edges E and F where they meet. */
+static bool cut_pair(settling *s, uint32_t e, uint32_t f)
+{
+    const il_arrangement *a = s->a;
     const uint32_t en[2] = { a->edge[2 * e], a->edge[2 * e + 1] }, fn[2] = { a->edge[2 * f], a->edge[2 * f + 1] };
-    size_t before = cuts->n;
-    if (!cut_at_ends(a, e, f, cuts) || !cut_at_ends(a, f, e, cuts))
+    size_t before = s->n_cuts;
+    if (!cut_at_ends(s, e, f) || !cut_at_ends(s, f, e))
         return false;
-    *n_touches += cuts->n > before;
-    if (cuts->n > before || !cross_properly(a, en, fn))
+    if (s->n_cuts > before || !cross_properly(a, en, fn))
         return true;
     double p[2];
     crossing_point(a->xy + 2 * en[0], a->xy + 2 * en[1], a->xy + 2 * fn[0], a->xy + 2 * fn[1], a->cell, p);
-    uint32_t node = il_arrangement_node(a, p[0], p[1], IL_VERTEX_INSERTED);
-    ++*n_crossings;
-    return node != UINT32_MAX && add_cut(cuts, a, e, node) && add_cut(cuts, a, f, node);
+    uint32_t node = crossing_node(s, e, f, p);
+    return node != UINT32_MAX && add_cut(s, e, node) && add_cut(s, f, node);
 }
 
 /* Extent and magnitude of points, from which the cell follows. */
@@ -217,21 +281,20 @@ static void widen(spread *s, const double *xy, size_t n_points)
     }
 }
 
-/* A power of two: see arrange.h. */
-static double cell_of(const spread *s)
-{
-    double extent = fmax(s->high[0] - s->low[0], s->high[1] - s->low[1]);
-    if (!(extent > 0))
-        return 0x1p-44;
-    return ldexp(1, (int)fmax(ilogb(extent) - 44, ilogb(s->largest) - 49));
-}
-
-double il_slice_cell(const il_slice *slice)
+double il_slice_cell(const il_slice *slice, bool round_float)
 {
     spread s = NO_SPREAD;
     for (size_t i = 0; i < slice->n; i++)
         widen(&s, slice->ring[i].xy, slice->ring[i].n);
-    return cell_of(&s);
+    if (!(s.largest > 0))
+        return 1;
+    double extent = fmax(s.high[0] - s.low[0], s.high[1] - s.low[1]);
+    int exponent = ilogb(s.largest) - 49;
+    if (extent > 0 && ilogb(extent) - 44 > exponent)
+        exponent = ilogb(extent) - 44;
+    /* the last bits of a float and of a double; and the least numbers of each */
+    int least = !round_float ? -1074 : ilogb(s.largest) - 23 > -149 ? ilogb(s.largest) - 23 : -149;
+    return ldexp(1, exponent > least ? exponent : least);
 }
 
 static int compare_cuts(const void *p, const void *q)
@@ -244,24 +307,47 @@ static int compare_cuts(const void *p, const void *q)
     return a->node < b->node ? -1 : a->node > b->node;
 }
 
-/* Rewrite the edges with their cuts, in place order. */
-static bool apply_cuts(il_arrangement *a, cut_list *cuts)
+/* Of the cuts K..END - 1 of edge FROM-TO, in order, keep those that shorten what
+ * is left of it each time; the others wait for the next round.  Returns the end
+ * of those kept. */
+static size_t keep_cuts(settling *s, uint32_t from, uint32_t to, size_t k, size_t end)
 {
-    il_arrangement old = *a;
+    size_t kept = k;
+    for (; k < end; k++)
+        if (shortens(s->a, from, to, s->cut[k].node)) {
+            from = s->cut[k].node;
+            s->cut[kept++] = s->cut[k];
+        }
+    return kept;
+}
+
+/* Edge FROM-TO of OLD with its cuts K..END - 1 instead of it. */
+static bool rewrite_edge(settling *s, const il_arrangement *old, size_t e, size_t k, size_t end)
+{
+    uint32_t from = old->edge[2 * e], to = old->edge[2 * e + 1];
+    size_t axis = long_axis(old, (uint32_t)e);
+    bool up = old->xy[2 * from + axis] <= old->xy[2 * to + axis], ok = true;
+    size_t n = keep_cuts(s, up ? from : to, up ? to : from, k, end) - k;
+    for (size_t i = 0; ok && i < n; i++) {
+        uint32_t next = s->cut[up ? k + i : k + n - 1 - i].node;
+        ok = il_arrangement_edge(s->a, from, next, old->owner[e], old->edge_mark[e]);
+        from = next;
+    }
+    return ok && il_arrangement_edge(s->a, from, to, old->owner[e], old->edge_mark[e]);
+}
+
+/* Rewrite the edges with their cuts, in place order. */
+static bool apply_cuts(settling *s)
+{
+    il_arrangement *a = s->a, old = *a;
     a->edge = NULL, a->owner = NULL, a->edge_mark = NULL;
     a->n_edges = a->cap_edges = a->cap_owners = a->cap_edge_marks = 0;
-    qsort(cuts->cut, cuts->n, sizeof *cuts->cut, compare_cuts);
+    qsort(s->cut, s->n_cuts, sizeof *s->cut, compare_cuts);
     bool ok = true;
-    size_t k = 0;
-    for (size_t e = 0; e < old.n_edges && ok; e++) {
-        uint32_t from = old.edge[2 * e];
-        for (; ok && k < cuts->n && cuts->cut[k].edge == e; k++) {
-            uint32_t to = cuts->cut[k].node;
-            if (to != from)
-                ok = il_arrangement_edge(a, from, to, old.owner[e], old.edge_mark[e]);
-            from = to;
-        }
-        ok = ok && il_arrangement_edge(a, from, old.edge[2 * e + 1], old.owner[e], old.edge_mark[e]);
+    for (size_t e = 0, k = 0, end; ok && e < old.n_edges; e++, k = end) {
+        for (end = k; end < s->n_cuts && s->cut[end].edge == e; end++)
+            continue;
+        ok = rewrite_edge(s, &old, e, k, end);
     }
     il_free(old.edge);
     il_free(old.owner);
@@ -280,42 +366,54 @@ static double *edge_boxes(const il_arrangement *a)
     return box;
 }
 
-static il_status settle_once(il_arrangement *a, cut_list *cuts, size_t *crossings, size_t *touches, il_error *err)
+static il_status find_cuts(settling *s, il_error *err)
 {
     uint32_t *pair = NULL;
     size_t n_pairs = 0;
-    il_status st = IL_OK;
-    double *box = edge_boxes(a);
-    cuts->n = 0;
+    double *box = edge_boxes(s->a);
+    s->n_cuts = 0;
     if (!box)
         return il_fail_nomem(err);
-    st = il_box_pairs(box, a->n_edges, MAX_PAIRS, &pair, &n_pairs, err);
+    il_status st = il_box_pairs(box, s->a->n_edges, MAX_PAIRS, &pair, &n_pairs, err);
     for (size_t i = 0; st == IL_OK && i < n_pairs; i++)
-        if (!cut_pair(a, pair[2 * i], pair[2 * i + 1], cuts, crossings, touches))
+        if (!cut_pair(s, pair[2 * i], pair[2 * i + 1]))
             st = il_fail_nomem(err);
     il_free(pair);
     il_free(box);
     return st;
 }
 
+static bool note_nodes(settling *s)
+{
+    s->near.cell = s->a->cell;
+    s->n_input = s->a->n_nodes;
+    s->touched = il_calloc(s->n_input, sizeof *s->touched);
+    bool ok = s->touched;
+    for (size_t i = 0; ok && i < s->n_input; i++)
+        ok = il_near_add(&s->near, s->a->xy[2 * i], s->a->xy[2 * i + 1]);
+    return ok;
+}
+
 il_status il_arrangement_settle(il_arrangement *a, size_t *crossings, size_t *touches, il_error *err)
 {
-    cut_list cuts = { NULL, 0, 0 };
-    il_status st = IL_OK;
+    settling s = { .a = a };
+    il_status st = note_nodes(&s) ? IL_OK : il_fail_nomem(err);
     *crossings = *touches = 0;
-    spread extent = NO_SPREAD;
-    widen(&extent, a->xy, a->n_nodes);
-    a->cell = cell_of(&extent);
-    for (int round = 0;; round++) {
+    for (int round = 0; st == IL_OK; round++) {
         if (round == IL_ARRANGE_ROUNDS)
             st = il_fail(err, IL_E_INPUT, 0, "the crossings of the contours do not settle");
         if (st == IL_OK)
-            st = settle_once(a, &cuts, crossings, touches, err);
-        if (st != IL_OK || cuts.n == 0)
+            st = find_cuts(&s, err);
+        if (st != IL_OK || s.n_cuts == 0)
             break;
-        if (!apply_cuts(a, &cuts))
+        if (!apply_cuts(&s))
             st = il_fail_nomem(err);
     }
-    il_free(cuts.cut);
+    for (size_t i = 0; st == IL_OK && i < s.n_input; i++)
+        *touches += s.touched[i];
+    *crossings = a->n_nodes - s.n_input;
+    il_free(s.cut);
+    il_free(s.touched);
+    il_near_free(&s.near);
     return st;
 }

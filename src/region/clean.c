@@ -3,8 +3,10 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "bridge/predicates.h"
+#include "model/order.h"
 #include "region/arrange.h"
 #include "region/boundary.h"
+#include "region/near.h"
 #include "region/separate.h"
 
 #include <math.h>
@@ -29,9 +31,9 @@ static void round_ring(il_ring *r, il_report *report)
         il_report_repair(report, IL_REPAIR_ROUNDED_POINT, moved);
 }
 
-static bool same_point(const il_ring *r, size_t i, size_t j, double cell)
+static bool same_point(const il_ring *r, size_t i, size_t j)
 {
-    return fabs(r->xy[2 * i] - r->xy[2 * j]) < cell && fabs(r->xy[2 * i + 1] - r->xy[2 * j + 1]) < cell;
+    return r->xy[2 * i] == r->xy[2 * j] && r->xy[2 * i + 1] == r->xy[2 * j + 1];
 }
 
 /* One zero, so that the same contours give the same bytes on every road. */
@@ -41,21 +43,32 @@ static void drop_negative_zeros(il_ring *r)
         r->xy[i] += 0.0;
 }
 
-/* Drop vertices equal to the one before, and last ones equal to the first, be it
- * but for rounding: programs that compute a closing point miss it by an ulp. */
-static void drop_repeated(il_ring *r, double cell, il_report *report)
+/* Vertex TO stands for vertex K as well, behind which its edge begins now. */
+static void join_marks(il_ring *r, size_t to, size_t k)
+{
+    if (r->mark)
+        r->mark[to] = (unsigned char)((r->mark[to] & r->mark[k] & IL_VERTEX_INSERTED) | (r->mark[k] & IL_VERTEX_MAP_EDGE));
+}
+
+/* Drop vertices equal to the one before, and last ones equal to the first. */
+static void drop_repeated(il_ring *r, il_report *report)
 {
     size_t n = 0;
     for (size_t i = 0; i < r->n; i++) {
-        if (n > 0 && same_point(r, i, n - 1, cell))
+        if (n > 0 && same_point(r, i, n - 1)) {
+            join_marks(r, n - 1, i);
             continue;
+        }
         memmove(r->xy + 2 * n, r->xy + 2 * i, 2 * sizeof *r->xy);
         if (r->mark)
             r->mark[n] = r->mark[i];
         n++;
     }
-    while (n > 1 && same_point(r, 0, n - 1, cell))
+    if (n > 1 && same_point(r, 0, n - 1)) {
         n--;
+        if (r->mark)
+            r->mark[0] &= (unsigned char)(r->mark[n] | IL_VERTEX_MAP_EDGE);
+    }
     if (n < r->n)
         il_report_repair(report, IL_REPAIR_REPEATED_POINT, r->n - n);
     r->n = n;
@@ -70,17 +83,8 @@ static bool is_degenerate(const il_ring *r)
     return true;
 }
 
-static size_t least_vertex(const il_ring *r)
-{
-    size_t k = 0;
-    for (size_t i = 1; i < r->n; i++)
-        if (r->xy[2 * i] < r->xy[2 * k] || (r->xy[2 * i] == r->xy[2 * k] && r->xy[2 * i + 1] < r->xy[2 * k + 1]))
-            k = i;
-    return k;
-}
-
-/* A ring read from its least vertex towards the lesser neighbour, so that equal
- * rings read equally whatever their start and direction. */
+/* A ring read from the start and in the direction that make the least sequence,
+ * so that equal rings read equally whatever their start and direction. */
 typedef struct reading {
     const il_ring *ring;
     size_t start, index;
@@ -119,11 +123,14 @@ static int compare_readings(const void *p, const void *q)
     return c ? c : a->index < b->index ? -1 : a->index > b->index;
 }
 
-static reading reading_of(const il_ring *r, size_t index)
+static reading reading_of(il_ring *r, size_t index)
 {
-    reading d = { r, least_vertex(r), index, false };
-    d.backwards = compare_points(point_of(&d, r->n - 1), point_of(&d, 1)) < 0;
-    return d;
+    reading along = { r, il_ring_first(r), index, false }, against = { r, 0, index, true };
+    il_ring_reverse(r); /* there and back: vertex 0 stays, vertex k becomes n - k */
+    size_t first = il_ring_first(r);
+    il_ring_reverse(r);
+    against.start = first == 0 ? 0 : r->n - first;
+    return compare_shapes(&along, &against) <= 0 ? along : against;
 }
 
 /* Empty all but the first of equal rings.  Even-odd alone would erase a region
@@ -158,17 +165,23 @@ static il_status check_open(const il_slice *s, il_error *err)
     return IL_OK;
 }
 
-static il_status prepare_rings(il_slice *s, const il_clean_options *o, il_report *report, il_error *err)
+/* All that is done to points and rings one by one; *N_MOVED: points that were
+ * near others and are where these are now. */
+static il_status prepare_rings(il_slice *s, const il_clean_options *o, il_report *report, size_t *n_moved, il_error *err)
 {
+    size_t joined = 0;
     for (size_t i = 0; i < s->n; i++) {
         if (o->round_float)
             round_ring(&s->ring[i], report);
         drop_negative_zeros(&s->ring[i]);
     }
-    double cell = il_slice_cell(s);
+    il_status st = il_slice_gather(s, il_slice_cell(s, o->round_float), n_moved, &joined, err);
+    if (st != IL_OK)
+        return st;
+    il_report_repair(report, IL_REPAIR_TOUCH, joined);
     for (size_t i = 0; i < s->n; i++) {
         il_ring *r = &s->ring[i];
-        drop_repeated(r, cell, report);
+        drop_repeated(r, report);
         if (is_degenerate(r)) {
             il_report_repair(report, IL_REPAIR_DEGENERATE_RING, 1);
             r->n = 0;
@@ -202,54 +215,49 @@ static void move_extra(il_extra **to, il_extra **from)
     *from = NULL;
 }
 
+/* Rings of the input and what became of their edges. */
+typedef struct fate {
+    uint32_t heir;            /* clean ring with the first that survived, or UINT32_MAX */
+    bool kept, turned;        /* any that runs as it ran, any that was turned round */
+} fate;
+
+static bool find_fates(fate *f, size_t n, const il_arrangement *a, const il_slice *clean)
+{
+    il_keymap ring_at = IL_KEYMAP_INIT;
+    bool ok = index_edges(&ring_at, a, clean);
+    for (size_t i = 0; i < n; i++)
+        f[i] = (fate){ UINT32_MAX, false, false };
+    for (size_t e = 0; ok && e < a->n_edges; e++) {
+        fate *of = &f[a->owner[e]];
+        uint32_t p = a->edge[2 * e], q = a->edge[2 * e + 1];
+        uint32_t forward = il_keymap_get(&ring_at, p, q, UINT32_MAX);
+        uint32_t reverse = il_keymap_get(&ring_at, q, p, UINT32_MAX);
+        of->kept |= forward != UINT32_MAX;
+        of->turned |= reverse != UINT32_MAX;
+        if (of->heir == UINT32_MAX)
+            of->heir = forward != UINT32_MAX ? forward : reverse;
+    }
+    il_keymap_free(&ring_at);
+    return ok;
+}
+
 /* What belonged to an input ring (its line, its x- lines) goes to the clean
  * ring that has its first surviving edge, or else to the slice.  Counts rings
  * that were turned round. */
 static il_status hand_down(il_slice *from, const il_arrangement *a, il_slice *to, il_report *report, il_error *err)
 {
-    il_keymap ring_at = IL_KEYMAP_INIT;
-    bool ok = index_edges(&ring_at, a, to);
-    uint32_t settled = UINT32_MAX;
-    for (size_t e = 0; ok && e < a->n_edges; e++) {
-        if (a->owner[e] == settled)
-            continue;
-        uint32_t p = a->edge[2 * e], q = a->edge[2 * e + 1];
-        uint32_t forward = il_keymap_get(&ring_at, p, q, UINT32_MAX);
-        uint32_t reverse = il_keymap_get(&ring_at, q, p, UINT32_MAX);
-        uint32_t heir = forward != UINT32_MAX ? forward : reverse;
-        if (heir == UINT32_MAX)
-            continue;
-        settled = a->owner[e];
-        if (forward == UINT32_MAX)
+    fate *f = il_alloc(from->n, sizeof *f);
+    bool ok = f && find_fates(f, from->n, a, to);
+    for (size_t i = 0; ok && i < from->n; i++) {
+        il_ring *heir = f[i].heir == UINT32_MAX ? NULL : &to->ring[f[i].heir];
+        if (heir && heir->line == 0)
+            heir->line = from->ring[i].line;
+        move_extra(heir ? &heir->extra : &to->extra, &from->ring[i].extra);
+        if (f[i].turned && !f[i].kept)
             il_report_repair(report, IL_REPAIR_REVERSED_RING, 1);
-        if (to->ring[heir].line == 0)
-            to->ring[heir].line = from->ring[settled].line;
-        move_extra(&to->ring[heir].extra, &from->ring[settled].extra);
     }
-    for (size_t i = 0; i < from->n; i++)
-        move_extra(&to->extra, &from->ring[i].extra);
-    il_keymap_free(&ring_at);
+    il_free(f);
     return ok ? IL_OK : il_fail_nomem(err);
-}
-
-static unsigned char mark_of(const il_ring *r, size_t i)
-{
-    return r->mark ? r->mark[i] : 0;
-}
-
-static bool same_rings(const il_slice *a, const il_slice *b)
-{
-    if (a->n != b->n)
-        return false;
-    for (size_t i = 0; i < a->n; i++) {
-        const il_ring *p = &a->ring[i], *q = &b->ring[i];
-        if (p->n != q->n || memcmp(p->xy, q->xy, 2 * p->n * sizeof *p->xy) != 0)
-            return false;
-        for (size_t k = 0; k < p->n; k++)
-            if (mark_of(p, k) != mark_of(q, k))
-                return false;
-    }
-    return true;
 }
 
 static size_t count_dropped(const il_report *r)
@@ -258,35 +266,46 @@ static size_t count_dropped(const il_report *r)
            r->repair[IL_REPAIR_DUPLICATE_RING] + r->repair[IL_REPAIR_ROUNDED_POINT];
 }
 
-il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *report, bool *changed, il_error *err)
+/* The boundary of the prepared slice S. */
+static il_status rebuild(il_slice *clean, il_slice *s, bool round_float, il_report *report, il_error *err)
 {
     il_arrangement a = IL_ARRANGEMENT_INIT;
-    il_slice clean = IL_SLICE_INIT;
-    il_report own = IL_REPORT_INIT;
     size_t crossings = 0, touches = 0, cancelled = 0, pinches = 0;
-    il_status st = check_open(s, err);
-    if (!report)
-        report = &own;
-    size_t dropped_before = count_dropped(report);
-    if (st == IL_OK)
-        st = prepare_rings(s, o, report, err);
-    if (st == IL_OK)
-        st = il_arrangement_from_slice(&a, s, err);
+    il_status st = il_arrangement_from_slice(&a, s, il_slice_cell(s, round_float), err);
     if (st == IL_OK)
         st = il_arrangement_settle(&a, &crossings, &touches, err);
     if (st == IL_OK)
-        st = il_boundary_extract(&a, &clean, &cancelled, &pinches, err);
+        st = il_boundary_extract(&a, clean, &cancelled, &pinches, err);
     if (st == IL_OK)
-        st = hand_down(s, &a, &clean, report, err);
+        st = hand_down(s, &a, clean, report, err);
     if (st == IL_OK && pinches > 0)
-        st = il_slice_separate(&clean, o->round_float, &pinches, err);
+        st = il_slice_separate(clean, round_float, &pinches, err);
     if (st == IL_OK) {
         il_report_repair(report, IL_REPAIR_CROSSING, crossings);
         il_report_repair(report, IL_REPAIR_TOUCH, touches);
         il_report_repair(report, IL_REPAIR_KEYHOLE_EDGE, cancelled);
         il_report_repair(report, IL_REPAIR_PINCH, pinches);
+    }
+    il_arrangement_free(&a);
+    return st;
+}
+
+il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *report, bool *changed, il_error *err)
+{
+    il_slice clean = IL_SLICE_INIT;
+    il_report own = IL_REPORT_INIT;
+    size_t n_moved = 0;
+    if (check_open(s, err) != IL_OK)
+        return IL_E_INPUT;
+    if (!report)
+        report = &own;
+    size_t dropped_before = count_dropped(report);
+    il_status st = prepare_rings(s, o, report, &n_moved, err);
+    if (st == IL_OK)
+        st = rebuild(&clean, s, o->round_float, report, err);
+    if (st == IL_OK) {
         if (changed)
-            *changed = count_dropped(report) != dropped_before || !same_rings(s, &clean);
+            *changed = n_moved > 0 || count_dropped(report) != dropped_before || !il_slice_equal_rings(s, &clean);
         clean.z = s->z;
         clean.line = s->line;
         move_extra(&s->extra, &clean.extra);
@@ -294,9 +313,10 @@ il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *repo
         il_slice swap = *s;
         *s = clean;
         clean = swap;
+    } else {
+        il_slice_free(s);
     }
     il_slice_free(&clean);
-    il_arrangement_free(&a);
     il_report_free(&own);
     return st;
 }

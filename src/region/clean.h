@@ -11,8 +11,8 @@ typedef struct il_clean_options {
     bool round_float;
 } il_clean_options;
 
-/* Clean S in place: drop repeated points,
- * duplicate and degenerate rings; insert vertices where edges cross or touch;
+/* Clean S in place: make one of points that only rounding tells apart; drop
+ * repeated points, duplicate and degenerate rings; insert vertices where edges cross or touch;
  * take the region by even-odd parity; extract its boundary anew, region on the
  * left, every ring simple, in canonical order (each ring starts at its least
  * vertex by x, then y; rings sorted likewise).  Original vertices keep their
@@ -20,14 +20,15 @@ typedef struct il_clean_options {
  * idempotent.  Counts into REPORT (may be null); *CHANGED (may be null) tells
  * whether anything is not as it was, be it only the order.
  * IL_E_INPUT when crossings do not settle or a line is open; IL_E_NOMEM.  After
- * a failure S holds the input or nothing. */
+ * a failure S holds the input (a line was open) or nothing. */
 il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *report,
                          bool *changed, il_error *err);
 
 /* A sink that cleans each slice and passes all on to NEXT (borrowed).  Slices
  * must come in rising z: equal heights are merged into one slice, and a falling
- * one is IL_E_INPUT.  A pair that names rings of a slice that needed
- * repair is IL_E_INPUT: its indices would mean other vertices. */
+ * one is IL_E_INPUT, as is an equal one behind a pair, which closes the slice.  A
+ * pair that names rings of a slice that needed repair or was merged is
+ * IL_E_INPUT: its indices would mean other vertices. */
 il_status il_cleaner_new(il_sink **out, const il_clean_options *o, il_sink *next,
                          il_report *report, il_error *err);
 void il_cleaner_free(il_sink *s);

@@ -13,7 +13,10 @@ typedef struct cleaner {
     il_report *report;
     il_slice held;      /* the last slice, not passed on yet: one of the same height may follow */
     bool holding;
-    bool changed;       /* was the slice passed on last changed? */
+    bool merged;        /* the held one, of several: whose rings a pair would name is not known */
+    bool passed;        /* was any slice passed on in this stack? */
+    double z;           /* of the one passed on last */
+    bool changed;       /* was that one changed? */
     bool before_changed;/* and the one before it? */
 } cleaner;
 
@@ -21,7 +24,7 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
 {
     cleaner *c = (cleaner *)self;
     il_slice_free(&c->held);
-    c->holding = c->changed = c->before_changed = false;
+    c->holding = c->merged = c->passed = c->changed = c->before_changed = false;
     return c->next->stack_begin(c->next, head, err);
 }
 
@@ -31,7 +34,11 @@ static il_status pass_on(cleaner *c, il_error *err)
         return IL_OK;
     c->holding = false;
     c->before_changed = c->changed;
+    c->passed = true;
+    c->z = c->held.z;
     il_status st = il_slice_clean(&c->held, &c->options, c->report, &c->changed, err);
+    c->changed |= c->merged;
+    c->merged = false;
     if (st == IL_OK)
         st = c->next->slice(c->next, &c->held, err);
     il_slice_free(&c->held);
@@ -71,10 +78,13 @@ static il_status slice(il_sink *self, il_slice *s, il_error *err)
         s->z = il_number_round_float(s->z);
     if (c->holding && s->z == c->held.z) {
         il_report_repair(c->report, IL_REPAIR_MERGED_SLICE, 1);
+        c->merged = true;
         return merge(&c->held, s, err);
     }
     if (c->holding && s->z < c->held.z)
         return fail_order(s, c->held.z, err);
+    if (!c->holding && c->passed && s->z <= c->z) /* a pair came between: it is too late to merge */
+        return fail_order(s, c->z, err);
     il_status st = pass_on(c, err);
     if (st == IL_OK) {
         c->held = *s;

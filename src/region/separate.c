@@ -4,6 +4,8 @@
 #include "base/number.h"
 #include "model/order.h"
 #include "region/arrange.h"
+#include "region/boundary.h"
+#include "region/near.h"
 
 /* The first step of a copy towards the middle of its neighbours, as a part of
  * that way; doubled until rounding keeps the copies apart.  Less than 1/256
@@ -39,7 +41,7 @@ static bool count_visits(il_keymap *visits, const il_slice *s, size_t *shared)
 
 static double rounded(double v, bool round_float)
 {
-    return round_float ? il_number_round_float(v) : v;
+    return (round_float ? il_number_round_float(v) : v) + 0.0; /* no -0 */
 }
 
 /* The place of vertex K of R, drawn between its neighbours. */
@@ -65,19 +67,26 @@ static void move_all(il_slice *to, const il_slice *s, il_keymap *visits, bool ro
         }
 }
 
-/* Does S hold together: nothing crosses, touches, or passes a point twice? */
-static il_status is_sound(const il_slice *s, bool *sound, il_error *err)
+/* Is S the clean boundary of its own region, with N_PINCHES pinches: does it
+ * stay as it is when it is made anew?  May change S if not. */
+static il_status is_clean(il_slice *s, bool round_float, size_t n_pinches, bool *clean, il_error *err)
 {
     il_arrangement a = IL_ARRANGEMENT_INIT;
-    size_t crossings = 0, touches = 0, shared = 0;
-    il_keymap visits = IL_KEYMAP_INIT;
-    il_status st = il_arrangement_from_slice(&a, s, err);
+    il_slice anew = IL_SLICE_INIT;
+    size_t moved = 0, joined = 0, crossings = 0, touches = 0, cancelled = 0, pinches = 0;
+    double cell = il_slice_cell(s, round_float);
+    *clean = false;
+    il_status st = il_slice_gather(s, cell, &moved, &joined, err);
+    if (st == IL_OK && moved > 0)
+        return IL_OK;
+    if (st == IL_OK)
+        st = il_arrangement_from_slice(&a, s, cell, err);
     if (st == IL_OK)
         st = il_arrangement_settle(&a, &crossings, &touches, err);
-    if (st == IL_OK && !count_visits(&visits, s, &shared))
-        st = il_fail_nomem(err);
-    *sound = crossings == 0 && touches == 0 && shared == 0;
-    il_keymap_free(&visits);
+    if (st == IL_OK && crossings + touches == 0)
+        st = il_boundary_extract(&a, &anew, &cancelled, &pinches, err);
+    *clean = st == IL_OK && crossings + touches == 0 && pinches == n_pinches && il_slice_equal_rings(s, &anew);
+    il_slice_free(&anew);
     il_arrangement_free(&a);
     return st;
 }
@@ -87,19 +96,19 @@ il_status il_slice_separate(il_slice *s, bool round_float, size_t *pinches, il_e
     il_keymap visits = IL_KEYMAP_INIT;
     il_slice apart = IL_SLICE_INIT;
     size_t shared = 0;
-    bool sound = false;
+    bool clean = false;
     il_status st = count_visits(&visits, s, &shared) ? IL_OK : il_fail_nomem(err);
     if (st == IL_OK && shared > 0) {
         st = il_slice_copy(&apart, s, err);
         if (st == IL_OK) {
             move_all(&apart, s, &visits, round_float);
-            st = is_sound(&apart, &sound, err);
+            il_slice_put_in_order(&apart);
+            st = is_clean(&apart, round_float, *pinches - shared, &clean, err);
         }
-        if (st == IL_OK && sound) {
+        if (st == IL_OK && clean) {
             il_slice swap = *s;
             *s = apart;
             apart = swap;
-            il_slice_put_in_order(s);
             *pinches -= shared;
         }
     }

@@ -12,6 +12,11 @@
  * with more meetings than this is noise, not contours. */
 static const size_t MAX_PAIRS = 50 * 1000 * 1000;
 
+/* After this many rounds the cuts die out.  Where they double the edges instead,
+ * points lie closer than the grid and edges run to and fro between them; that
+ * would go on until memory ends. */
+enum { CALM_ROUND = 6 };
+
 /* Edge runs through NODE; along orders the cuts of one edge. */
 typedef struct cut {
     uint32_t edge, node;
@@ -217,13 +222,14 @@ static void widen(spread *s, const double *xy, size_t n_points)
     }
 }
 
-/* A power of two: see arrange.h. */
+/* A power of two: see arrange.h.  The floor keeps products of four lengths, as
+ * in is_near(), clear of underflow, with which edges cross unseen. */
 static double cell_of(const spread *s)
 {
     double extent = fmax(s->high[0] - s->low[0], s->high[1] - s->low[1]);
     if (!(extent > 0))
         return 0x1p-44;
-    return ldexp(1, (int)fmax(ilogb(extent) - 44, ilogb(s->largest) - 49));
+    return fmax(ldexp(1, (int)fmax(ilogb(extent) - 44, ilogb(s->largest) - 49)), 0x1p-200);
 }
 
 double il_slice_cell(const il_slice *slice)
@@ -302,12 +308,15 @@ il_status il_arrangement_settle(il_arrangement *a, size_t *crossings, size_t *to
 {
     cut_list cuts = { NULL, 0, 0 };
     il_status st = IL_OK;
+    size_t n_calm = 0;
     *crossings = *touches = 0;
     spread extent = NO_SPREAD;
     widen(&extent, a->xy, a->n_nodes);
     a->cell = cell_of(&extent);
     for (int round = 0;; round++) {
-        if (round == IL_ARRANGE_ROUNDS)
+        if (round == CALM_ROUND)
+            n_calm = a->n_edges;
+        if (round == IL_ARRANGE_ROUNDS || (round > CALM_ROUND && a->n_edges / 2 > n_calm))
             st = il_fail(err, IL_E_INPUT, 0, "the crossings of the contours do not settle");
         if (st == IL_OK)
             st = settle_once(a, &cuts, crossings, touches, err);

@@ -31,7 +31,7 @@ uint32_t il_arrangement_node(il_arrangement *a, double x, double y, unsigned cha
 bool il_arrangement_edge(il_arrangement *a, uint32_t from, uint32_t to, uint32_t owner, unsigned char mark);
 
 /* The grid that settle uses for the points of S: 2^-44 of their extent, or 8 ulp
- * of the largest coordinate.  Points nearer than that are the same in all but
+ * of the largest coordinate, but at least 2^-200.  Points nearer than that are the same in all but
  * rounding. */
 double il_slice_cell(const il_slice *s);
 

@@ -24,12 +24,19 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 /* Intervals along the axes and six directions between x and y, where the walls
  * of a slab need them: a slanted wall is thin triangles side by side, and with
  * three axes 10 000 of them have 1.2 million overlapping boxes (27 ms against
- * 15).  Rounding is monotone: an interval that holds a point's exact value
- * holds the rounded one, so boxes that overlap in truth overlap here. */
+ * 15).  Values are taken from the mesh's low corner and scaled by a power of
+ * two, else single precision would make one box of all that lies far from the
+ * origin or is tiny.  Each step rounds monotonely: an interval that holds a
+ * point's exact value holds the rounded one, so boxes that overlap in truth
+ * overlap here. */
 enum { N_AXES = 9, LEAF_SIZE = 4 };
+
+/* hub: see Search; NO_HUB behind the last. */
+const uint32_t NO_HUB = UINT32_MAX;
 
 struct Box {
     float lo[N_AXES], hi[N_AXES];
+    uint32_t hub[3];
     bool touched;
 };
 
@@ -299,22 +306,82 @@ Box empty_box()
     Box b;
     std::fill(b.lo, b.lo + N_AXES, INFINITY);
     std::fill(b.hi, b.hi + N_AXES, -INFINITY);
+    std::fill(b.hub, b.hub + 3, NO_HUB);
     b.touched = false;
     return b;
 }
 
-void add_point(Box &b, const double *p)
+/* Where P stands along axis K. */
+double along(const double *p, int k)
 {
-    const double x = p[0], y = p[1], z = p[2];
-    const double value[N_AXES] = { x, y, z, x + y, x - y, 2 * x + y, 2 * x - y, x + 2 * y, x - 2 * y };
-    for (int k = 0; k < N_AXES; k++) {
-        b.lo[k] = std::min(b.lo[k], float(value[k]));
-        b.hi[k] = std::max(b.hi[k], float(value[k]));
+    const double x = p[0], y = p[1];
+    switch (k) {
+    case 0:  return x;
+    case 1:  return y;
+    case 2:  return p[2];
+    case 3:  return x + y;
+    case 4:  return x - y;
+    case 5:  return 2 * x + y;
+    case 6:  return 2 * x - y;
+    case 7:  return x + 2 * y;
+    default: return x - 2 * y;
     }
 }
 
+/* From places along the axes to those in boxes. */
+struct Frame {
+    double origin[N_AXES], scale[2]; /* scale: of plan and height */
+};
+
+/* The largest power of two at most 1 / SIZE. */
+double scale_for(double size)
+{
+    return std::ldexp(1, std::min(-std::ilogb(size), 1000));
+}
+
+Frame make_frame(const double low[3], const double extent[3])
+{
+    Frame f;
+    for (int k = 0; k < N_AXES; k++)
+        f.origin[k] = along(low, k);
+    f.scale[0] = scale_for(std::max(extent[0], extent[1]));
+    f.scale[1] = scale_for(extent[2]);
+    return f;
+}
+
+void add_point(Box &b, const Frame &frame, const double *p)
+{
+    for (int k = 0; k < N_AXES; k++) {
+        float value = float((along(p, k) - frame.origin[k]) * frame.scale[k == 2]);
+        b.lo[k] = std::min(b.lo[k], value);
+        b.hi[k] = std::max(b.hi[k], value);
+    }
+}
+
+bool has_hub(const Box &b, uint32_t hub)
+{
+    return std::find(b.hub, b.hub + 3, hub) != b.hub + 3;
+}
+
+uint32_t least_common_hub(const Box &a, const Box &b)
+{
+    uint32_t least = NO_HUB;
+    for (uint32_t h : a.hub)
+        if (h < least && has_hub(b, h))
+            least = h;
+    return least;
+}
+
+/* B and OTHER in one; of hubs, what both have.  An empty box has them all. */
 void add_box(Box &b, const Box &other)
 {
+    if (b.lo[0] > b.hi[0]) {
+        b = other;
+        return;
+    }
+    for (uint32_t &h : b.hub)
+        if (!has_hub(other, h))
+            h = NO_HUB;
     for (int k = 0; k < N_AXES; k++) {
         b.lo[k] = std::min(b.lo[k], other.lo[k]);
         b.hi[k] = std::max(b.hi[k], other.hi[k]);
@@ -342,34 +409,52 @@ uint64_t spread_bits(uint64_t x)
     return (x | x << 2) & UINT64_C(0x1249249249249249);
 }
 
-struct Search {
-    std::vector<Facet> facet;   /* along a Morton curve through the boxes' centres */
-    std::vector<Box> node;      /* a complete binary tree; node k has 2k + 1 and 2k + 2 */
-    size_t n_leaves = 1;        /* leaf i holds the facets [i n / n_leaves, (i + 1) n / n_leaves) */
-    size_t limit = 0, found = 0;
-    uint32_t first[2] = { UINT32_MAX, UINT32_MAX };
+/* What was found: how many pairs, and the least of them. */
+struct Found {
+    size_t limit, n;
+    uint32_t first[2];
+
+    bool enough() const { return n >= limit; }
 
     void record(uint32_t a, uint32_t b)
     {
         if (a > b)
             std::swap(a, b);
-        found++;
+        n++;
         if (a < first[0] || (a == first[0] && b < first[1])) {
             first[0] = a;
             first[1] = b;
         }
     }
+};
+
+/* Triangles at a vertex all have overlapping boxes: n of them, n^2 pairs.  So a
+ * vertex of many triangles is a hub, and their pairs are left to a search of
+ * its own among their directions (search_hub).  This search is for the pairs
+ * whose least hub in common is HUB; NO_HUB: for those that have none. */
+struct Search {
+    Found &found;
+    uint32_t hub;
+    std::vector<Facet> facet;   /* along a Morton curve through the boxes' centres */
+    std::vector<Box> node;      /* a complete binary tree; node k has 2k + 1 and 2k + 2 */
+    size_t n_leaves = 1;        /* leaf i holds the facets [i n / n_leaves, (i + 1) n / n_leaves) */
+
+    Search(Found &f, uint32_t h) : found(f), hub(h) {}
 
     size_t leaf_begin(size_t i) const { return i * facet.size() / n_leaves; }
 
-    void sort_facets(const double low[3], const double extent[3])
+    void sort_facets()
     {
         struct Key { uint64_t code; uint32_t place; };
         std::vector<Key> key(facet.size());
+        Box all = empty_box();
+        for (const Facet &f : facet)
+            add_box(all, f.box);
         for (size_t i = 0; i < facet.size(); i++) {
             uint64_t code = 0;
             for (int k = 0; k < 3; k++) {
-                double middle = (double(facet[i].box.lo[k]) / 2 + double(facet[i].box.hi[k]) / 2 - low[k]) / extent[k];
+                double size = double(all.hi[k]) - double(all.lo[k]);
+                double middle = (double(facet[i].box.lo[k]) / 2 + double(facet[i].box.hi[k]) / 2 - double(all.lo[k])) / std::max(size, DBL_MIN);
                 code |= spread_bits(uint64_t(std::min(1.0, std::max(0.0, middle)) * 0xFFFFF)) << k;
             }
             key[i] = Key{ code, uint32_t(i) };
@@ -401,7 +486,8 @@ struct Search {
      * one level.  Recursion: at most one level of the tree a step. */
     void search(size_t a, size_t b)
     {
-        if (found >= limit || !(node[a].touched || node[b].touched) || !overlap(node[a], node[b]))
+        if (found.enough() || !(node[a].touched || node[b].touched) || !overlap(node[a], node[b])
+            || least_common_hub(node[a], node[b]) < hub)
             return;
         if (a >= n_leaves - 1) {
             search_leaves(a - (n_leaves - 1), b - (n_leaves - 1));
@@ -420,15 +506,108 @@ struct Search {
             const Facet &s = facet[i];
             for (size_t j = a == b ? i + 1 : leaf_begin(b); j < leaf_begin(b + 1); j++) {
                 const Facet &t = facet[j];
-                if (overlap(s.box, t.box) && (s.box.touched || t.box.touched) && meet(s, t)) {
-                    record(s.index, t.index);
-                    if (found >= limit)
+                if (overlap(s.box, t.box) && (s.box.touched || t.box.touched)
+                    && least_common_hub(s.box, t.box) == hub && meet(s, t)) {
+                    found.record(s.index, t.index);
+                    if (found.enough())
                         return;
                 }
             }
         }
     }
+
+    void run()
+    {
+        sort_facets();
+        build_tree();
+        search(0, 0);
+    }
 };
+
+/* ---- hubs ------------------------------------------------------------------- */
+
+enum { HUB_DEGREE = 48 };
+
+/* Direction of P seen from V on the cube with corners (+-1, +-1, +-1). */
+void direction(const double *v, const double *p, double out[3])
+{
+    double largest = 0;
+    for (int k = 0; k < 3; k++) {
+        out[k] = p[k] - v[k];
+        largest = std::max(largest, std::fabs(out[k]));
+    }
+    for (int k = 0; k < 3; k++)
+        out[k] /= largest;
+}
+
+/* A box round the directions in which F, seen from its vertex I, lies.  With d
+ * the largest component of the chord between those of its other vertices, a
+ * point of the chord has at least 1 - d/2 as its largest component, so it moves
+ * by at most d/2 on its way out to the cube.  Rounding errs by 4 u at most. */
+Box direction_box(const Facet &f, int i)
+{
+    Box b = f.box;
+    double p[3], q[3], d = 0;
+    direction(f.v[i], f.v[(i + 1) % 3], p);
+    direction(f.v[i], f.v[(i + 2) % 3], q);
+    for (int k = 0; k < 3; k++)
+        d = std::max(d, std::fabs(p[k] - q[k]));
+    for (int k = 0; k < N_AXES; k++)
+        b.lo[k] = b.hi[k] = 0;
+    for (int k = 0; k < 3; k++) {
+        b.lo[k] = float(std::min(p[k], q[k]) - (d / 2 + 4 * DBL_EPSILON));
+        b.hi[k] = float(std::max(p[k], q[k]) + (d / 2 + 4 * DBL_EPSILON));
+    }
+    return b;
+}
+
+/* A hub and one of its triangles. */
+struct Spoke {
+    uint32_t hub, facet;
+    int corner;
+};
+
+/* Note in the facets which of their vertices are hubs; the spokes, hub by hub. */
+std::vector<Spoke> find_hubs(std::vector<Facet> &facet, size_t n_vertices)
+{
+    std::vector<uint32_t> degree(n_vertices);
+    std::vector<Spoke> spoke;
+    for (const Facet &f : facet)
+        for (uint32_t v : f.id)
+            degree[v]++;
+    for (size_t i = 0; i < facet.size(); i++)
+        for (int k = 0; k < 3; k++)
+            if (degree[facet[i].id[k]] >= HUB_DEGREE) {
+                facet[i].box.hub[k] = facet[i].id[k];
+                spoke.push_back(Spoke{ facet[i].id[k], uint32_t(i), k });
+            }
+    std::sort(spoke.begin(), spoke.end(), [](const Spoke &a, const Spoke &b) {
+        return a.hub != b.hub ? a.hub < b.hub : a.facet < b.facet;
+    });
+    return spoke;
+}
+
+/* Two triangles that share a vertex meet elsewhere only if they lie in a common
+ * direction from it. */
+void search_hub(const std::vector<Facet> &facet, const Spoke *spoke, size_t n, Found &found)
+{
+    Search star(found, spoke->hub);
+    star.facet.reserve(n);
+    for (size_t i = 0; i < n; i++) {
+        star.facet.push_back(facet[spoke[i].facet]);
+        star.facet.back().box = direction_box(facet[spoke[i].facet], spoke[i].corner);
+    }
+    star.run();
+}
+
+void search_hubs(const std::vector<Facet> &facet, const std::vector<Spoke> &spoke, Found &found)
+{
+    for (size_t i = 0, j; i < spoke.size(); i = j) {
+        for (j = i; j < spoke.size() && spoke[j].hub == spoke[i].hub; j++)
+            continue;
+        search_hub(facet, &spoke[i], j - i, found);
+    }
+}
 
 /* The extent of what the triangles use, no side of it 0 (it divides). */
 void find_extent(const double *xyz, const uint32_t *tri, size_t n, double low[3], double extent[3])
@@ -447,16 +626,18 @@ void find_extent(const double *xyz, const uint32_t *tri, size_t n, double low[3]
 }
 
 il_status find_intersections(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n,
-                             const unsigned char *touched, Search &search, il_error *err)
+                             const unsigned char *touched, Found &found, il_error *err)
 {
     for (size_t i = 0; i < 3 * n; i++)
         if (tri[i] >= n_vertices)
             return il_fail(err, IL_E_INTERNAL, 0, "a triangle names a vertex that is not there");
     double low[3], extent[3];
     find_extent(xyz, tri, n, low, extent);
+    const Frame frame = make_frame(low, extent);
     std::vector<uint32_t> id = merge_positions(xyz, n_vertices);
+    Search search(found, NO_HUB);
     search.facet.reserve(n);
-    for (size_t i = 0; i < n && search.found < search.limit; i++) {
+    for (size_t i = 0; i < n && !found.enough(); i++) {
         Facet f;
         for (int k = 0; k < 3; k++) {
             f.v[k] = xyz + 3 * size_t(tri[3 * i + size_t(k)]);
@@ -465,16 +646,15 @@ il_status find_intersections(const double *xyz, size_t n_vertices, const uint32_
         f.index = uint32_t(i);
         f.box = empty_box();
         for (const double *v : f.v)
-            add_point(f.box, v);
+            add_point(f.box, frame, v);
         f.box.touched = !touched || touched[i];
         if (set_plane(f, extent))
             search.facet.push_back(f);
         else if (f.box.touched)
-            search.record(f.index, f.index);
+            found.record(f.index, f.index);
     }
-    search.sort_facets(low, extent);
-    search.build_tree();
-    search.search(0, 0);
+    search_hubs(search.facet, find_hubs(search.facet, n_vertices), found);
+    search.run();
     return IL_OK;
 }
 
@@ -489,12 +669,11 @@ il_status il_intersections(const double *xyz, size_t n_vertices, const uint32_t 
     if (n_triangles == 0 || limit == 0)
         return IL_OK;
     return guarded(err, [&] {
-        Search search;
-        search.limit = limit;
-        il_status st = find_intersections(xyz, n_vertices, tri, n_triangles, touched, search, err);
-        *found = search.found;
-        first[0] = search.first[0];
-        first[1] = search.first[1];
+        Found all = { limit, 0, { UINT32_MAX, UINT32_MAX } };
+        il_status st = find_intersections(xyz, n_vertices, tri, n_triangles, touched, all, err);
+        *found = all.n;
+        first[0] = all.first[0];
+        first[1] = all.first[1];
         return st;
     });
 }

@@ -47,6 +47,21 @@ static void insert_points(il_triangulation *t, const double *xy, size_t n)
         throw std::runtime_error("triangulation: two points are one");
 }
 
+/* CGAL walks round an edge's first end.  So that is the end with fewer edges,
+ * or a point where n edges meet would cost n^2 steps. */
+static void insert_edges(Cdt &cdt, const std::vector<Cdt::Vertex_handle> &at, const uint32_t *edge, size_t m)
+{
+    std::vector<uint32_t> degree(at.size());
+    for (size_t i = 0; i < 2 * m; i++)
+        degree[edge[i]]++;
+    for (size_t i = 0; i < m; i++) {
+        uint32_t a = edge[2 * i], b = edge[2 * i + 1];
+        if (degree[b] < degree[a])
+            std::swap(a, b);
+        cdt.insert_constraint(at[a], at[b]);
+    }
+}
+
 il_status il_triangulation_new(il_triangulation **out, const double *xy, size_t n,
                                const uint32_t *edge, size_t m, il_error *err)
 {
@@ -58,8 +73,7 @@ il_status il_triangulation_new(il_triangulation **out, const double *xy, size_t 
         std::vector<Cdt::Vertex_handle> at(n);
         for (auto v = t->cdt.finite_vertices_begin(); v != t->cdt.finite_vertices_end(); ++v)
             at[v->info()] = v;
-        for (size_t i = 0; i < m; i++)
-            t->cdt.insert_constraint(at[edge[2 * i]], at[edge[2 * i + 1]]);
+        insert_edges(t->cdt, at, edge, m);
         if (t->cdt.number_of_vertices() != n)
             throw std::runtime_error("triangulation: edges cross");
         return IL_OK;

@@ -57,22 +57,20 @@ static void split_at(sectors *s, size_t j, unsigned char start, unsigned char en
     }
 }
 
-/* How many of the sector's inner edges would be flat with both copies at J. */
-static size_t count_flat(const sectors *s, size_t j, unsigned char start, unsigned char end)
-{
-    size_t flat = 0;
-    for (size_t i = 0; i + 1 < s->n; i++) /* the edge between corners i and i + 1 */
-        flat += s->l->out[before(s->run[i])] == (i < j ? start : end);
-    return flat;
-}
-
+/* The place of both copies that leaves the fewest of the sector's inner edges
+ * flat, the first such.  Moving it from j to j + 1 gives the edge between these
+ * two corners the start copy instead of the end copy.  O(n). */
 static size_t best_split(const sectors *s, unsigned char start, unsigned char end)
 {
-    size_t best = 0, least = SIZE_MAX;
-    for (size_t j = 0; j < s->n; j++) {
-        size_t flat = count_flat(s, j, start, end);
-        if (flat < least)
-            least = flat, best = j;
+    size_t best = 0, gained = 0, lost = 0; /* flat edges, since the best */
+    for (size_t j = 0; j + 1 < s->n; j++) {
+        unsigned char far = s->l->out[before(s->run[j])]; /* the edge's other end */
+        gained += far == start;
+        lost += far == end;
+        if (lost > gained) {
+            best = j + 1;
+            gained = lost = 0;
+        }
     }
     return best;
 }

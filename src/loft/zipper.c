@@ -5,13 +5,20 @@
 #include <math.h>
 #include <string.h>
 
-/* Row i of the grid holds the columns begin[i] .. begin[i] + width - 1. */
+/* The band is at first REACH vertices wide to either side, and is not widened
+ * beyond MOST_CELLS: a path that leans on a band of that size is good enough. */
+static const size_t REACH = 32, MOST_CELLS = (size_t)1 << 27;
+
+/* Pairs (i, j) by their diagonal k = i + j, the number of steps to get there.
+ * Of diagonal k the band holds i = begin[k] .. begin[k] + width - 1, round the
+ * pair that the common order reaches by then.  So its size does not depend on
+ * how unevenly the vertices of either chain lie along it. */
 typedef struct band {
     const il_zip_vertex *lower, *upper;
-    size_t n_lower, n_upper, width;
-    size_t *begin;
-    double *row[2];
-    unsigned char *from;   /* [n_lower*width] 0: from the row before, 1: from the column before */
+    size_t n_lower, n_upper, n_diagonals, width;
+    size_t *begin;         /* [n_diagonals] */
+    double *row[2];        /* [width] costs on the diagonal at hand and the one before */
+    unsigned char *from;   /* [n_diagonals*width] the step that led there: see il_zip */
 } band;
 
 static void band_free(band *b)
@@ -22,25 +29,39 @@ static void band_free(band *b)
     il_free(b->from);
 }
 
-/* Columns near the upper vertex that stands where lower vertex i does. */
+/* The least and the greatest i on diagonal K. */
+static size_t least_on(const band *b, size_t k)
+{
+    return k < b->n_upper ? 0 : k - (b->n_upper - 1);
+}
+
+static size_t most_on(const band *b, size_t k)
+{
+    return k < b->n_lower ? k : b->n_lower - 1;
+}
+
+/* Merge the chains by place; lay the band round the pairs so met. */
 static void lay_out(band *b, size_t reach)
 {
-    size_t last = b->n_upper - b->width;
-    for (size_t i = 0, j = 0; i < b->n_lower; i++) {
-        while (j + 1 < b->n_upper && b->upper[j + 1].place <= b->lower[i].place)
+    size_t i = 0, j = 0;
+    for (size_t k = 0; k < b->n_diagonals; k++) {
+        size_t least = least_on(b, k);
+        b->begin[k] = i > least + reach ? i - reach : least;
+        if (j + 1 == b->n_upper || (i + 1 < b->n_lower && b->lower[i + 1].place <= b->upper[j + 1].place))
+            i++;
+        else
             j++;
-        size_t begin = j > reach ? j - reach : 0;
-        b->begin[i] = begin < last ? begin : last;
     }
 }
 
 static bool band_new(band *b, size_t reach)
 {
-    b->width = 2 * reach + 1 < b->n_upper ? 2 * reach + 1 : b->n_upper;
-    b->begin = il_alloc(b->n_lower, sizeof *b->begin);
+    b->n_diagonals = b->n_lower + b->n_upper - 1;
+    b->width = 2 * reach + 1;
+    b->begin = il_alloc(b->n_diagonals, sizeof *b->begin);
     b->row[0] = il_alloc(b->width, sizeof **b->row);
     b->row[1] = il_alloc(b->width, sizeof **b->row);
-    b->from = il_alloc(b->n_lower, b->width);
+    b->from = il_alloc(b->n_diagonals, b->width);
     if (!b->begin || !b->row[0] || !b->row[1] || !b->from)
         return false;
     lay_out(b, reach);
@@ -52,18 +73,22 @@ static double cost(const band *b, size_t i, size_t j)
     return hypot(b->lower[i].x - b->upper[j].x, b->lower[i].y - b->upper[j].y);
 }
 
+/* Cost of the best way to lower vertex I on diagonal K, if the band holds it. */
+static double reached(const band *b, size_t k, size_t i)
+{
+    size_t begin = b->begin[k];
+    return i >= begin && i - begin < b->width && i <= most_on(b, k) ? b->row[k & 1][i - begin] : INFINITY;
+}
+
 static void fill(band *b)
 {
-    for (size_t i = 0; i < b->n_lower; i++) {
-        double *now = b->row[i & 1], *before = b->row[~i & 1];
-        for (size_t c = 0; c < b->width; c++) {
-            size_t j = b->begin[i] + c;
-            double left = c > 0 ? now[c - 1] : INFINITY, up = INFINITY;
-            if (i > 0 && j >= b->begin[i - 1] && j - b->begin[i - 1] < b->width)
-                up = before[j - b->begin[i - 1]];
-            b->from[i * b->width + c] = left < up;
-            double least = i == 0 && j == 0 ? 0 : fmin(left, up);
-            now[c] = least + cost(b, i, j);
+    b->row[0][0] = 0;
+    for (size_t k = 1; k < b->n_diagonals; k++) {
+        size_t begin = b->begin[k], most = most_on(b, k);
+        for (size_t i = begin; i < begin + b->width && i <= most; i++) {
+            double by_lower = i > 0 ? reached(b, k - 1, i - 1) : INFINITY, by_upper = reached(b, k - 1, i);
+            b->from[k * b->width + (i - begin)] = by_upper < by_lower;
+            b->row[k & 1][i - begin] = fmin(by_lower, by_upper) + cost(b, i, k - i);
         }
     }
 }
@@ -71,19 +96,14 @@ static void fill(band *b)
 /* Walk back from the last pair; false when the path leans on the band's edge. */
 static bool walk_back(const band *b, unsigned char *step)
 {
-    size_t i = b->n_lower - 1, j = b->n_upper - 1, n = b->n_lower + b->n_upper - 2;
+    size_t i = b->n_lower - 1;
     bool free = true;
-    while (n > 0) {
-        size_t c = j - b->begin[i];
-        if ((c == 0 && b->begin[i] > 0) || (c == b->width - 1 && j + 1 < b->n_upper))
+    for (size_t k = b->n_diagonals - 1; k > 0; k--) {
+        size_t begin = b->begin[k], last = begin + b->width - 1;
+        if ((i == begin && begin > least_on(b, k)) || (i == last && last < most_on(b, k)))
             free = false;
-        step[--n] = i == 0 ? 1 : j == 0 ? 0 : b->from[i * b->width + c];
-        if (step[n])
-            j--;
-        else
-            i--;
-        if (j < b->begin[i] || j - b->begin[i] >= b->width)
-            return false;
+        step[k - 1] = b->from[k * b->width + (i - begin)];
+        i -= !step[k - 1];
     }
     return free;
 }
@@ -94,12 +114,12 @@ il_status il_zip(const il_zip_vertex *lower, size_t n_lower, const il_zip_vertex
     *step = il_alloc(n_lower + n_upper - 2, 1);
     if (!*step)
         return il_fail_nomem(err);
-    for (size_t reach = 32;; reach *= 2) {
-        band b = { lower, upper, n_lower, n_upper, 0, NULL, { NULL, NULL }, NULL };
-        bool ok = band_new(&b, reach), whole = false;
+    for (size_t reach = REACH;; reach *= 2) {
+        band b = { lower, upper, n_lower, n_upper, 0, 0, NULL, { NULL, NULL }, NULL };
+        bool ok = band_new(&b, reach), done = false;
         if (ok) {
             fill(&b);
-            whole = walk_back(&b, *step) || b.width == n_upper;
+            done = walk_back(&b, *step) || b.n_diagonals > MOST_CELLS / (2 * b.width);
         }
         band_free(&b);
         if (!ok) {
@@ -107,7 +127,7 @@ il_status il_zip(const il_zip_vertex *lower, size_t n_lower, const il_zip_vertex
             *step = NULL;
             return il_fail_nomem(err);
         }
-        if (whole)
+        if (done)
             return IL_OK;
     }
 }

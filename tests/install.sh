@@ -1,28 +1,16 @@
 # install.sh - what `make install` leaves serves: the program, its manual, the library in another program.
 # TAP.  With sanitizers the other program needs them too, so they are passed on.
 
-n=0
-result() { # STATUS SENTENCE: 0 is ok
-    n=$((n + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $n - $2"
-    else
-        echo "not ok $n - $2"
-        tail -n 20 log
-    fi
-}
+. "$srcdir/tests/tap.sh"
 
-skip() { # SENTENCE WHY
-    n=$((n + 1))
-    echo "ok $n - $1 # SKIP $2"
+result() { # STATUS SENTENCE: 0 is ok
+    if [ "$1" -eq 0 ]; then case_ok "$2"; else case_bad "$2" "$(tail -n 20 log)"; fi
 }
 
 remade() { # TARGET: by the build that is being tested
     env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C "$builddir" --no-print-directory "$1" DESTDIR="$root"
 }
 
-echo "1..11"
-cd "$TMPDIR" || exit 1
 root=$TMPDIR/root
 : ${CC:=cc} ${CXX:=c++}
 
@@ -83,3 +71,5 @@ result $? "C++ takes the header"
 
 remade uninstall >log 2>&1 && [ -z "$(find "$root" -type f)" ]
 result $? "make uninstall leaves no file"
+
+plan

@@ -1,23 +1,12 @@
 # style.sh - habits that a machine can keep: layers, doors, sizes, and what is distributed.
 # TAP.  Each case looks at all files at once and names every place that breaks it.
 
+. "$srcdir/tests/tap.sh"
 cd "$srcdir" || exit 1
-n=0
 
 found=$TMPDIR/found
 none() { # SENTENCE: holds when $found is empty; what stands there breaks it
-    n=$((n + 1))
-    if [ -s "$found" ]; then
-        echo "not ok $n - $1"
-        sed 's/^/#   /' "$found"
-    else
-        echo "ok $n - $1"
-    fi
-}
-
-skip() { # SENTENCE WHY
-    n=$((n + 1))
-    echo "ok $n - $1 # SKIP $2"
+    if [ -s "$found" ]; then case_bad "$1" "$(cat "$found")"; else case_ok "$1"; fi
 }
 
 sources=$(find src -name '*.c' -o -name '*.cpp' | sort)
@@ -60,8 +49,6 @@ calls() { grep -E "^($1)[^:]*:" "$code" | grep -E "(^|[^A-Za-z0-9_.>])($2) *\(";
 names() { grep -E "^($1)[^:]*:" "$code" | grep -E "(^|[^A-Za-z0-9_])($2)([^A-Za-z0-9_]|\$)"; }
 below_cli='src/(base|bridge|model|input|region|match|loft|output|api)/'
 below_files='src/(bridge|model|input|region|match|loft|output|api)/'
-
-echo "1..23"
 
 for f in $sources $tests $examples; do
     case $f in *.h | examples/*) continue ;; esac
@@ -199,3 +186,5 @@ for word in $(grep -o -E '(examples|formats|man|src|tests)/[A-Za-z0-9_./-]*[A-Za
     [ -e "$word" ] || echo "README.md: $word is not there"
 done >"$found"
 none "files that the README names are there"
+
+plan

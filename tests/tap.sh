@@ -11,7 +11,7 @@ case_bad() { # SENTENCE WHY...
     n=$((n + 1))
     echo "not ok $n - $1"
     shift
-    printf '# %s\n' "$@" | cut -c 1-300
+    printf '%s\n' "$@" | sed 's/^/# /' | cut -c 1-300
 }
 skip() { n=$((n + 1)); echo "ok $n - $1 # SKIP $2"; }
 plan() { echo "1..$n"; }

@@ -116,6 +116,6 @@ bool il_report_any(const il_report *r)
 {
     size_t n = r->n_skipped;
     for (int i = 0; i < IL_N_REPAIRS; i++)
-        n += is_fault(i) ? r->repair[i] : 0;
+        n += is_fault((il_repair)i) ? r->repair[i] : 0;
     return n > 0;
 }

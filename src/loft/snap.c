@@ -10,12 +10,14 @@
 
 __extension__ typedef __int128 wide; /* products of two 54-bit differences */
 
-enum { MAX_ROUNDS = 24 };
+/* 2^LEAST_EXPONENT is the least double. */
+enum { MAX_ROUNDS = 24, LEAST_EXPONENT = -1074 };
 static const size_t MAX_PAIRS = 20 * 1000 * 1000;
 
 /* A piece of a reference edge; the pieces of one edge are linked in order. */
 typedef struct piece { uint32_t a, b, next; } piece;
 
+/* Piece runs through POINT; along, from its lesser end, orders a piece's cuts. */
 typedef struct cut {
     uint32_t piece, point;
     long double along;
@@ -54,7 +56,8 @@ static double size_of(const il_reference *r)
 
 int il_snap_first_exponent(const il_reference *r, bool round_float)
 {
-    int exponent = ilogb(size_of(r) * 1e-7);
+    int last = il_snap_last_exponent(r), exponent = ilogb(size_of(r) * 1e-7);
+    exponent = exponent > last ? exponent : last;
     double low[2], high[2];
     extent(r, low, high);
     double largest = fmax(fmax(-low[0], high[0]), fmax(-low[1], high[1]));
@@ -66,7 +69,8 @@ int il_snap_first_exponent(const il_reference *r, bool round_float)
 
 int il_snap_last_exponent(const il_reference *r)
 {
-    return ilogb(size_of(r)) - 52;
+    int exponent = ilogb(size_of(r)) - 52;
+    return exponent > LEAST_EXPONENT ? exponent : LEAST_EXPONENT;
 }
 
 static uint32_t grid_point(snapper *s, int64_t x, int64_t y)
@@ -84,17 +88,39 @@ static uint32_t grid_point(snapper *s, int64_t x, int64_t y)
     return (uint32_t)o->n++;
 }
 
+/* The nearest of the first N grid points that is less than a cell from (X, Y), in
+ * cells, in both axes; NONE when there is none. */
+static uint32_t near_point(const snapper *s, double x, double y, size_t n)
+{
+    uint32_t best = NONE;
+    double least = 1;
+    for (int k = 0; k < 4; k++) {
+        int64_t gx = (int64_t)floor(x) + k % 2, gy = (int64_t)floor(y) + k / 2;
+        uint32_t p = il_keymap_get(&s->at, (uint64_t)gx, (uint64_t)gy, NONE);
+        double far = fmax(fabs(x - (double)gx), fabs(y - (double)gy));
+        if (p != NONE && p < n && far < least)
+            best = p, least = far;
+    }
+    return best;
+}
+
+/* Vertices go to the nearest grid point; those of the upper side to one of the
+ * lower side's, if any is near: what is the same but for noise is to be the same
+ * here, on whichever side of a rounding threshold it lies. */
 static bool place_edges(snapper *s, const il_reference *r)
 {
+    size_t n_lower = 0;
     for (int k = 0; k < 2; k++) {
         const il_ref_side *side = &r->side[k];
         size_t first = s->n_pieces;
         if (!il_grow(&s->piece, &s->cap_pieces, first + side->n, sizeof *s->piece))
             return false;
         for (size_t i = 0; i < side->n; i++) {
-            int64_t x = llrint((side->vertex[i].x - s->out->origin[0]) / s->out->cell);
-            int64_t y = llrint((side->vertex[i].y - s->out->origin[1]) / s->out->cell);
-            uint32_t p = grid_point(s, x, y);
+            double x = (side->vertex[i].x - s->out->origin[0]) / s->out->cell;
+            double y = (side->vertex[i].y - s->out->origin[1]) / s->out->cell;
+            uint32_t p = near_point(s, x, y, n_lower);
+            if (p == NONE)
+                p = grid_point(s, llrint(x), llrint(y));
             if (p == NONE)
                 return false;
             s->piece[first + i] = (piece){ p, NONE, NONE };
@@ -102,6 +128,7 @@ static bool place_edges(snapper *s, const il_reference *r)
         for (size_t i = 0; i < side->n; i++)
             s->piece[first + i].b = s->piece[first + side->next[i]].a;
         s->n_pieces += side->n;
+        n_lower = s->out->n;
     }
     return true;
 }
@@ -118,14 +145,20 @@ static wide dot(const il_snapped *o, uint32_t a, uint32_t b, uint32_t c)
     return (wide)(o->x[b] - o->x[a]) * (o->x[c] - o->x[a]) + (wide)(o->y[b] - o->y[a]) * (o->y[c] - o->y[a]);
 }
 
+static bool is_less(const il_snapped *o, uint32_t p, uint32_t q)
+{
+    return o->x[p] != o->x[q] ? o->x[p] < o->x[q] : o->y[p] < o->y[q];
+}
+
 static bool add_cut(snapper *s, uint32_t p, uint32_t point)
 {
     const piece *e = &s->piece[p];
+    uint32_t from = is_less(s->out, e->a, e->b) ? e->a : e->b, to = from == e->a ? e->b : e->a;
     if (point == e->a || point == e->b)
         return true;
     if (!il_grow(&s->cut, &s->cap_cuts, s->n_cuts + 1, sizeof *s->cut))
         return false;
-    s->cut[s->n_cuts++] = (cut){ p, point, (long double)dot(s->out, e->a, e->b, point) };
+    s->cut[s->n_cuts++] = (cut){ p, point, (long double)dot(s->out, from, to, point) };
     return true;
 }
 
@@ -210,22 +243,54 @@ static int compare_cuts(const void *p, const void *q)
     return a->point < b->point ? -1 : a->point > b->point;
 }
 
+/* Is P nearer to A and to B than they are to each other?  Any one cut is; of
+ * several in one piece only those are made that are so one after another.  Then
+ * pieces grow shorter with every cut, and cutting comes to an end. */
+static bool shortens(const il_snapped *o, uint32_t a, uint32_t b, uint32_t p)
+{
+    wide length2 = dot(o, a, b, b);
+    return dot(o, a, p, p) < length2 && dot(o, b, p, p) < length2;
+}
+
+/* Of the cuts K..END - 1 of a piece, from its lesser end FROM on, keep those that
+ * shorten what is left of it; the others wait for the next round. */
+static size_t keep_cuts(snapper *s, uint32_t from, uint32_t to, size_t k, size_t end)
+{
+    size_t kept = k;
+    for (; k < end; k++)
+        if (shortens(s->out, from, to, s->cut[k].point)) {
+            from = s->cut[k].point;
+            s->cut[kept++] = s->cut[k];
+        }
+    return kept;
+}
+
+/* Lead piece P through the points of the cuts K..END - 1. */
+static bool cut_piece(snapper *s, uint32_t p, size_t k, size_t end)
+{
+    uint32_t a = s->piece[p].a, b = s->piece[p].b, last = p;
+    bool up = is_less(s->out, a, b);
+    size_t n = keep_cuts(s, up ? a : b, up ? b : a, k, end) - k;
+    if (!il_grow(&s->piece, &s->cap_pieces, s->n_pieces + n, sizeof *s->piece))
+        return false;
+    for (size_t i = 0; i < n; i++) {
+        uint32_t point = s->cut[up ? k + i : k + n - 1 - i].point;
+        s->piece[s->n_pieces] = (piece){ point, b, s->piece[last].next };
+        s->piece[last].b = point;
+        s->piece[last].next = (uint32_t)s->n_pieces;
+        last = (uint32_t)s->n_pieces++;
+    }
+    return true;
+}
+
 static bool apply_cuts(snapper *s)
 {
     qsort(s->cut, s->n_cuts, sizeof *s->cut, compare_cuts);
-    for (size_t i = 0; i < s->n_cuts;) {
-        uint32_t p = s->cut[i].piece, end = s->piece[p].b, last = p;
-        for (; i < s->n_cuts && s->cut[i].piece == p; i++) {
-            uint32_t point = s->cut[i].point;
-            if (point == s->piece[last].a)
-                continue;
-            if (!il_grow(&s->piece, &s->cap_pieces, s->n_pieces + 1, sizeof *s->piece))
-                return false;
-            s->piece[s->n_pieces] = (piece){ point, end, s->piece[last].next };
-            s->piece[last].b = point;
-            s->piece[last].next = (uint32_t)s->n_pieces;
-            last = (uint32_t)s->n_pieces++;
-        }
+    for (size_t k = 0, end; k < s->n_cuts; k = end) {
+        for (end = k; end < s->n_cuts && s->cut[end].piece == s->cut[k].piece; end++)
+            continue;
+        if (!cut_piece(s, s->cut[k].piece, k, end))
+            return false;
     }
     return true;
 }

@@ -1,8 +1,9 @@
 /* snap.h - the reference plane on a grid: after this all predicates are exact.
  *
  * Iterated snap rounding (Halperin & Packer 2002, doi:10.1016/S0925-7721(01)00064-5):
- * vertices go to a power-of-two grid; an edge within IL_SNAP_REACH of a vertex
- * is led through it; crossings become vertices; until nothing changes.  Near-
+ * vertices go to a power-of-two grid, those of the upper side to points of the
+ * lower side's that are less than a cell away; an edge within IL_SNAP_REACH of a
+ * vertex is led through it; crossings become vertices; until nothing changes.  Near-
  * coincident contours then coincide exactly, and no later step can cross them. */
 #ifndef IL_LOFT_SNAP_H
 #define IL_LOFT_SNAP_H

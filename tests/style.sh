@@ -151,6 +151,14 @@ else
     skip "shell scripts pass shellcheck" "shellcheck is not installed"
 fi
 
+printf '#include "config.h"\n' >"$TMPDIR/ndebug.cpp"
+if ${CXX:-c++} -I"$builddir" -DNDEBUG -fsyntax-only "$TMPDIR/ndebug.cpp" >"$found" 2>&1; then
+    echo "a bridge compiles with -DNDEBUG" >"$found"
+elif grep -q 'without -DNDEBUG' "$found"; then
+    : >"$found"
+fi
+none "no bridge is built with NDEBUG"
+
 # Tables of pointers are constant but for the loader; the allocation seam is the one exception.
 instrumented='__gcov|__asan|__ubsan|__sancov|__covrec|__llvm'
 objects=$(find "$builddir/src" -name '*.o' ! -path '*/bridge/*' 2>/dev/null)

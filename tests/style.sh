@@ -13,7 +13,7 @@ sources=$(find src -name '*.c' -o -name '*.cpp' | sort)
 headers=$(find src -name '*.h' | sort)
 tests=$(find tests -name '*.[ch]' | sort)
 examples=$(find examples -name '*.c' 2>/dev/null | sort)
-scripts="bootstrap tests/check-solids tests/run $(find tests -name '*.sh' | sort)"
+scripts="$(grep -l '^#!/bin/sh' bootstrap .ci/run $(find tests -type f) 2>/dev/null) $(find tests -name '*.sh')"
 
 # "FILE:LINE: code" with comments gone and strings empty, so that only code is searched.
 strip_comments='
@@ -150,6 +150,14 @@ none "shell scripts pass shellcheck"
 else
     skip "shell scripts pass shellcheck" "shellcheck is not installed"
 fi
+
+printf '#include "config.h"\n' >"$TMPDIR/ndebug.cpp"
+if ${CXX:-c++} -I"$builddir" -DNDEBUG -fsyntax-only "$TMPDIR/ndebug.cpp" >"$found" 2>&1; then
+    echo "a bridge compiles with -DNDEBUG" >"$found"
+elif grep -q 'without -DNDEBUG' "$found"; then
+    : >"$found"
+fi
+none "no bridge is built with NDEBUG"
 
 # Tables of pointers are constant but for the loader; the allocation seam is the one exception.
 instrumented='__gcov|__asan|__ubsan|__sancov|__covrec|__llvm'

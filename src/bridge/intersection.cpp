@@ -454,9 +454,9 @@ struct Search {
             uint64_t code = 0;
             for (int k = 0; k < 3; k++) {
                 double size = double(all.hi[k]) - double(all.lo[k]);
-                double middle = (double(facet[i].box.lo[k]) / 2 + double(facet[i].box.hi[k]) / 2 - double(all.lo[k])) /
-                                std::max(size, DBL_MIN);
-                code |= spread_bits(uint64_t(std::min(1.0, std::max(0.0, middle)) * 0xFFFFF)) << k;
+                double middle = double(facet[i].box.lo[k]) / 2 + double(facet[i].box.hi[k]) / 2;
+                double part = (middle - double(all.lo[k])) / std::max(size, DBL_MIN);
+                code |= spread_bits(uint64_t(std::min(1.0, std::max(0.0, part)) * 0xFFFFF)) << k;
             }
             key[i] = Key{ code, uint32_t(i) };
         }

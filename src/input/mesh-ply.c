@@ -85,7 +85,7 @@ static il_status read_corners(ply_body *b, const ply_property *p, uint32_t n, il
         return fail(b, "a face of fewer than 3 corners", err);
     b->polygons += n > 3;
     for (; n > 0; n--) {
-        uint32_t corner;
+        uint32_t corner = 0;
         il_status st = read_index(b, p->type, (double)b->header->n_vertices, "a corner names no vertex", &corner, err);
         if (st == IL_OK)
             st = il_fan_add(&fan, corner, b->mesh, err);
@@ -113,7 +113,7 @@ static il_status pass_over(ply_body *b, ply_type type, uint32_t n, il_error *err
 
 static il_status read_list(ply_body *b, const ply_property *p, il_error *err)
 {
-    uint32_t n;
+    uint32_t n = 0;
     il_status st = read_index(b, p->count_type, 4294967296.0, "a list of an impossible length", &n, err);
     if (st != IL_OK)
         return st;

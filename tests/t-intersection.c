@@ -354,6 +354,69 @@ static void a_soup_is_counted_as_the_oracle_counts_it(void **state)
     }
 }
 
+/* Vertices of many triangles are searched by direction: two hubs, and triangles
+ * at one of them, at both or at none. */
+static void triangles_round_hubs_are_counted_as_the_oracle_counts_them(void **state)
+{
+    (void)state;
+    enum { N = 160 };
+    static const vec hub[2] = { { 7, 8, 6 }, { 9, 6, 7 } };
+    uint64_t seed = 11;
+    for (int round = 0; round < 8; round++) {
+        vec t[N][3];
+        unsigned char touched[N];
+        uint32_t first[2], expected[2];
+        for (int i = 0; i < N; i++) {
+            random_triangle(&seed, 16, t[i]);
+            uint64_t r = next_random(&seed);
+            if (r % 8 != 0)
+                t[i][0] = hub[r / 8 % 2];
+            if (r % 8 == 1)
+                t[i][1] = hub[1 - r / 8 % 2];
+            touched[i] = r / 16 % 4 == 0;
+        }
+        size_t want = count_by_oracle((const vec(*)[3])t, N, NULL, expected);
+        assert_int_equal(count((const vec(*)[3])t, N, NULL, N * N, first), want);
+        assert_memory_equal(first, expected, sizeof first);
+        want = count_by_oracle((const vec(*)[3])t, N, touched, expected);
+        assert_int_equal(count((const vec(*)[3])t, N, touched, N * N, first), want);
+        assert_memory_equal(first, expected, sizeof first);
+    }
+}
+
+/* A closed fan of N triangles at a peak, as steep as STEEP says, FAR away. */
+static size_t count_in_fan(double far, double steep, size_t n, size_t twisted)
+{
+    double *xyz = malloc(3 * (n + 1) * sizeof *xyz);
+    uint32_t *tri = malloc(3 * n * sizeof *tri), first[2];
+    size_t found = 0;
+    assert_true(xyz && tri);
+    for (size_t i = 0; i < n; i++) {
+        double turn = 6.283185307179586 * (double)i / (double)n;
+        xyz[3 * i] = far + cos(turn), xyz[3 * i + 1] = far + sin(turn), xyz[3 * i + 2] = 0;
+        tri[3 * i] = (uint32_t)n, tri[3 * i + 1] = (uint32_t)i, tri[3 * i + 2] = (uint32_t)((i + 1) % n);
+    }
+    xyz[3 * n] = xyz[3 * n + 1] = far, xyz[3 * n + 2] = steep;
+    if (twisted > 0) { /* vertex 0 goes out through the fan, above another */
+        xyz[0] = xyz[3 * twisted], xyz[1] = xyz[3 * twisted + 1], xyz[2] = steep / 2;
+    }
+    assert_int_equal(il_intersections(xyz, n + 1, tri, n, NULL, n * n, &found, first, NULL), IL_OK);
+    free(xyz);
+    free(tri);
+    return found;
+}
+
+static void a_fan_is_sound_however_steep_and_far_and_not_when_twisted(void **state)
+{
+    (void)state;
+    static const double steep[] = { 1e-6, 1, 1e6 }, far[] = { 0, 1e6 };
+    for (size_t i = 0; i < 3; i++)
+        for (size_t j = 0; j < 2; j++) {
+            assert_int_equal(count_in_fan(far[j], steep[i], 1000, 0), 0);
+            assert_true(count_in_fan(far[j], steep[i], 1000, 300) > 0);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -369,6 +432,8 @@ int main(void)
         cmocka_unit_test(the_last_bit_counts),
         cmocka_unit_test(two_hundred_thousand_pairs_agree_with_the_oracle),
         cmocka_unit_test(a_soup_is_counted_as_the_oracle_counts_it),
+        cmocka_unit_test(triangles_round_hubs_are_counted_as_the_oracle_counts_them),
+        cmocka_unit_test(a_fan_is_sound_however_steep_and_far_and_not_when_twisted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

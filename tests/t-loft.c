@@ -456,6 +456,49 @@ static void a_single_slice_and_an_empty_stack_are_refused(void **state)
     il_mesh_free(&k.mesh);
 }
 
+/* Two triangles of a few metres at UTM coordinates, where floats stand half a
+ * metre apart.  The slab below is sound, but must not go out by itself: where
+ * rings part in the slice between depends on both. */
+static void a_slab_that_fails_ends_the_stack_before_its_neighbour_leaves(void **state)
+{
+    (void)state;
+    static const double xy[3][3][2] = { { { 6, 4 }, { 7, 5 }, { 3, 8 } }, { { 6, 4 }, { 7, 5 }, { 3, 8 } },
+                                        { { 2, 4 }, { 2, 1 }, { 4, 8 } } };
+    il_slice slice[3] = { IL_SLICE_INIT, IL_SLICE_INIT, IL_SLICE_INIT };
+    il_loft_options o = IL_LOFT_OPTIONS_INIT;
+    o.round_float = true;
+    for (int i = 0; i < 3; i++) {
+        il_ring *r = il_slice_add_ring(&slice[i]);
+        assert_non_null(r);
+        slice[i].z = i;
+        for (int k = 0; k < 3; k++)
+            assert_true(il_ring_add(r, 5e6 + xy[i][k][0] / 2, 35e5 + xy[i][k][1] / 2, 0));
+    }
+    il_error err = IL_ERROR_INIT;
+    keeper k = new_keeper();
+    assert_int_equal(loft(&k, slice, 3, &o, &err), IL_E_SURFACE);
+    assert_non_null(strstr(err.text, "between slice 1 (z = 1) and slice 2 (z = 2)"));
+    assert_int_equal(k.abandoned, 1);
+    assert_int_equal(k.mesh.n_triangles, 0);
+    il_mesh_free(&k.mesh);
+    free_slices(slice, 3);
+}
+
+/* Both slices need points between them, and only a few numbers are there. */
+static void slices_a_few_ulps_apart_are_lofted(void **state)
+{
+    (void)state;
+    for (int k = 1; k <= 64; k *= 4)
+        for (int f = 0; f < 2; f++) {
+            double ulp = f ? 0x1p-23 : 0x1p-52;
+            const double box[3][5] = { { 1, 0, 0, 4, 4 }, { 1 + (k + 1) * ulp, 1, 1, 3, 3 }, { 2, 1, 1, 3, 3 } };
+            il_loft_options o = IL_LOFT_OPTIONS_INIT;
+            o.round_float = f;
+            keeper kept = loft_boxes(box, 3, &o);
+            il_mesh_free(&kept.mesh);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -480,6 +523,8 @@ int main(void)
         cmocka_unit_test(the_start_and_direction_of_rings_do_not_matter),
         cmocka_unit_test(turning_the_stack_upside_down_keeps_volume_and_topology),
         cmocka_unit_test(a_single_slice_and_an_empty_stack_are_refused),
+        cmocka_unit_test(a_slab_that_fails_ends_the_stack_before_its_neighbour_leaves),
+        cmocka_unit_test(slices_a_few_ulps_apart_are_lofted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,15 +3,27 @@
 #include "base/alloc.h"
 #include "base/number.h"
 
+#include <math.h>
+
 static double rounded(const il_builder *b, double v)
 {
     return b->options.round_float ? il_number_round_float(v) : v;
 }
 
+/* The least number above V that the output holds. */
+static double next_above(const il_builder *b, double v)
+{
+    return b->options.round_float ? (double)nextafterf((float)v, INFINITY) : nextafter(v, INFINITY);
+}
+
 double il_builder_height(const il_builder *b, double z)
 {
     double low = b->section[IL_LOWER]->z, high = b->section[IL_UPPER]->z;
-    return rounded(b, low + z * (high - low));
+    double height = rounded(b, low + z * (high - low));
+    /* however few numbers there are between the planes, none of an inner point is theirs */
+    if (height <= low)
+        return next_above(b, low);
+    return height < high ? height : -next_above(b, -high);
 }
 
 uint32_t il_builder_copy(il_builder *b, int side, uint32_t p)

@@ -43,9 +43,10 @@ static void name_point(const double at[3], char to[128])
     snprintf(to, 128, ", near (%s, %s, %s)", text[0], text[1], text[2]);
 }
 
-/* The slab's failure in words that name stack, slices and place. */
-static il_status explain(const lofter *l, const il_window_place *low, const il_window_place *high, il_error *err)
+/* Failure of slab P in words that name stack, slices and place. */
+static il_status explain(lofter *l, size_t p, il_error *err)
 {
+    const il_window_place *low = il_window_at(&l->window, p), *high = il_window_at(&l->window, p + 1);
     const il_verdict *v = &low->slab.verdict;
     char below[64], above[64], near[128] = "";
     if (low->status != IL_E_SURFACE) {
@@ -56,19 +57,21 @@ static il_status explain(const lofter *l, const il_window_place *low, const il_w
     place_name(l, high->slice, &high->section, above);
     if (v->flaw != IL_FLAW_REFERENCE)
         name_point(v->at, near);
-    return il_fail(err, IL_E_SURFACE, 0, "stack \"%.60s\": no sound surface between %s and %s%s: %s",
-                   il_stack_head_name(&l->head), below, above, near, il_flaw_words(v->flaw));
+    return il_fail(err, IL_E_SURFACE, 0, "stack \"%.60s\": no sound surface between %s and %s%s: %s%s",
+                   il_stack_head_name(&l->head), below, above, near, il_flaw_words(v->flaw),
+                   l->options.round_float ? " (in the 32-bit numbers of STL; PLY and OBJ hold finer ones)" : "");
 }
 
-/* Emit what is ready; with the mutex held, given up while emitting. */
+/* Emit what is ready; with the mutex held, given up while emitting.  The next
+ * slab must be sound too: its triangles tell where rings part that touch. */
 static il_status emit_ready(lofter *l, il_error *err)
 {
     il_window *w = &l->window;
     il_status st = IL_OK;
     while (st == IL_OK && il_window_ready(w)) {
-        il_window_place *low = il_window_at(w, w->first), *high = il_window_at(w, w->first + 1);
-        if (low->status != IL_OK)
-            return explain(l, low, high, err);
+        for (size_t p = w->first; p < w->first + 2 && il_window_has_slab(w, p); p++)
+            if (il_window_at(w, p)->status != IL_OK)
+                return explain(l, p, err);
         pthread_mutex_unlock(&w->crew.mutex);
         st = il_emitter_slab(&l->emitter, w, err);
         if (st == IL_OK && l->options.progress)

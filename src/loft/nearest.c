@@ -12,9 +12,17 @@
  * so the place of a child follows from the counts and needs no pointers. */
 enum { LEAF = 4 };
 
+/* Halving gives 2^d parts of n >> d segments on level d, some with one more.
+ * O(log n): this is asked on every step of a search. */
 static size_t boxes_of(size_t n)
 {
-    return n <= LEAF ? 1 : 1 + boxes_of(n / 2) + boxes_of(n - n / 2);
+    size_t boxes = 1, parts = 1, least = n;
+    while (least > LEAF) {
+        boxes += 2 * parts;
+        parts *= 2;
+        least = n / parts;
+    }
+    return least == LEAF ? boxes + 2 * (n % parts) : boxes;
 }
 
 static int compare_classes(const void *p, const void *q)

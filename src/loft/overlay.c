@@ -7,15 +7,16 @@
 
 /* ---- passes: which real points stand at a contour point ---- */
 
-/* Parameter of grid point J on the reference edge I of SIDE by projection. */
+/* Parameter of grid point J on the reference edge I of SIDE by projection; in
+ * cells, so that squares of small lengths do not vanish. */
 static double project(const il_overlay *o, int side, size_t i, uint32_t j)
 {
     const il_ref_side *s = &o->reference->side[side];
     const il_ref_vertex *a = &s->vertex[i], *b = &s->vertex[s->next[i]];
-    double p[2];
+    double p[2], cell = o->snapped->cell;
     il_snapped_point(o->snapped, j, p);
-    double dx = b->x - a->x, dy = b->y - a->y;
-    return ((p[0] - a->x) * dx + (p[1] - a->y) * dy) / (dx * dx + dy * dy);
+    double dx = (b->x - a->x) / cell, dy = (b->y - a->y) / cell;
+    return ((p[0] - a->x) / cell * dx + (p[1] - a->y) / cell * dy) / (dx * dx + dy * dy);
 }
 
 /* Note the passes of reference edge I.  Points on it keep their order. */

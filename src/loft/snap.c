@@ -10,8 +10,7 @@
 
 __extension__ typedef __int128 wide; /* products of two 54-bit differences */
 
-/* 2^LEAST_EXPONENT is the least double. */
-enum { MAX_ROUNDS = 24, LEAST_EXPONENT = -1074 };
+enum { MAX_ROUNDS = 24, LEAST_EXPONENT = -1022 }; /* below, 1 / cell overflows */
 static const size_t MAX_PAIRS = 20 * 1000 * 1000;
 
 /* A piece of a reference edge; the pieces of one edge are linked in order. */
@@ -54,23 +53,23 @@ static double size_of(const il_reference *r)
     return size > 0 && isfinite(size) ? size : 1;
 }
 
-int il_snap_first_exponent(const il_reference *r, bool round_float)
-{
-    int last = il_snap_last_exponent(r), exponent = ilogb(size_of(r) * 1e-7);
-    exponent = exponent > last ? exponent : last;
-    double low[2], high[2];
-    extent(r, low, high);
-    double largest = fmax(fmax(-low[0], high[0]), fmax(-low[1], high[1]));
-    if (!round_float || !(largest > 0) || !isfinite(largest))
-        return exponent;
-    int eight_ulps = ilogb(largest) - 20;
-    return eight_ulps > exponent ? eight_ulps : exponent;
-}
-
 int il_snap_last_exponent(const il_reference *r)
 {
     int exponent = ilogb(size_of(r)) - 52;
     return exponent > LEAST_EXPONENT ? exponent : LEAST_EXPONENT;
+}
+
+int il_snap_first_exponent(const il_reference *r, bool round_float)
+{
+    int exponent = ilogb(size_of(r)) - 24, last = il_snap_last_exponent(r); /* 2^-24 is 0.6e-7 */
+    double low[2], high[2];
+    extent(r, low, high);
+    double largest = fmax(fmax(-low[0], high[0]), fmax(-low[1], high[1]));
+    exponent = exponent > last ? exponent : last;
+    if (!(largest > 0) || !isfinite(largest))
+        return exponent;
+    int eight_ulps = ilogb(largest) - (round_float ? 20 : 49);
+    return eight_ulps > exponent ? eight_ulps : exponent;
 }
 
 static uint32_t grid_point(snapper *s, int64_t x, int64_t y)

@@ -191,6 +191,32 @@ KIND_TEST(halves_by_turns_are_lofted, STACK_HALVES)
 KIND_TEST(copies_one_ulp_off_are_lofted, STACK_ULP_COPIES)
 KIND_TEST(tangles_are_lofted, STACK_TANGLED)
 
+/* 32-bit floats have 2^-13 for an ulp there: stacks of some ten units are some
+ * 10^5 ulps across, and rounding may carry inserted points past one another.
+ * (At 10^3 ulps tangles begin to fail, with exit 6.) */
+static void stacks_far_from_the_origin_are_lofted_in_floats(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= n_seeds(); seed++) {
+        il_slice slice[6];
+        stack_kind kind = (stack_kind)(seed % STACK_N_KINDS);
+        size_t n = stack_make(kind, seed, slice);
+        for (size_t i = 0; i < n; i++)
+            for (size_t r = 0; r < slice[i].n; r++)
+                for (size_t k = 0; k < 2 * slice[i].ring[r].n; k++)
+                    slice[i].ring[r].xy[k] += 1024;
+        il_loft_options o = IL_LOFT_OPTIONS_INIT;
+        il_error err = IL_ERROR_INIT;
+        keeper k = new_keeper();
+        o.round_float = true;
+        if (loft(&k, slice, n, &o, &err) != IL_OK)
+            fail_msg("kind %d seed %llu: %s", (int)kind, (unsigned long long)seed, err.text);
+        assert_sound(&k, "far seed", seed);
+        il_mesh_free(&k.mesh);
+        free_slices(slice, n);
+    }
+}
+
 /* ---- closed forms ---- */
 
 static keeper loft_boxes(const double (*box)[5], size_t n_boxes, const il_loft_options *o)
@@ -432,6 +458,21 @@ static void turning_the_stack_upside_down_keeps_volume_and_topology(void **state
 
 /* ---- what cannot be lofted ---- */
 
+static void slices_too_small_for_exact_arithmetic_are_refused(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { IL_SLICE_INIT, IL_SLICE_INIT };
+    il_loft_options o = IL_LOFT_OPTIONS_INIT;
+    il_error err = IL_ERROR_INIT;
+    keeper k = new_keeper();
+    slice[1].z = 1;
+    add_box(&slice[0], 0, 0, 1e-300, 1e-300);
+    add_box(&slice[1], 0, 0, 1e-300, 2e-300);
+    assert_int_equal(loft(&k, slice, 2, &o, &err), IL_E_INPUT);
+    free_slices(slice, 2);
+    il_mesh_free(&k.mesh);
+}
+
 static void a_single_slice_and_an_empty_stack_are_refused(void **state)
 {
     (void)state;
@@ -512,6 +553,7 @@ int main(void)
         cmocka_unit_test(halves_by_turns_are_lofted),
         cmocka_unit_test(copies_one_ulp_off_are_lofted),
         cmocka_unit_test(tangles_are_lofted),
+        cmocka_unit_test(stacks_far_from_the_origin_are_lofted_in_floats),
         cmocka_unit_test(a_prism_has_its_volume_area_and_twelve_triangles),
         cmocka_unit_test(a_tube_has_genus_one),
         cmocka_unit_test(a_branch_joins_two_legs_in_one_piece),
@@ -522,6 +564,7 @@ int main(void)
         cmocka_unit_test(scaling_by_a_power_of_two_scales_the_mesh_bit_for_bit),
         cmocka_unit_test(the_start_and_direction_of_rings_do_not_matter),
         cmocka_unit_test(turning_the_stack_upside_down_keeps_volume_and_topology),
+        cmocka_unit_test(slices_too_small_for_exact_arithmetic_are_refused),
         cmocka_unit_test(a_single_slice_and_an_empty_stack_are_refused),
         cmocka_unit_test(a_slab_that_fails_ends_the_stack_before_its_neighbour_leaves),
         cmocka_unit_test(slices_a_few_ulps_apart_are_lofted),

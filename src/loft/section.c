@@ -2,6 +2,7 @@
 #include "loft/section.h"
 #include "base/alloc.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,6 +56,18 @@ static void add_station(il_section *s, uint32_t node, uint32_t ring)
     s->n_stations++;
 }
 
+/* The longer side of the box of S; 0 when it is empty. */
+static double extent_of(const il_slice *s)
+{
+    double low[2] = { INFINITY, INFINITY }, high[2] = { -INFINITY, -INFINITY };
+    for (size_t i = 0; i < s->n; i++)
+        for (size_t k = 0; k < 2 * s->ring[i].n; k++) {
+            low[k % 2] = fmin(low[k % 2], s->ring[i].xy[k]);
+            high[k % 2] = fmax(high[k % 2], s->ring[i].xy[k]);
+        }
+    return s->n > 0 ? fmax(high[0] - low[0], high[1] - low[1]) : 0;
+}
+
 il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *err)
 {
     il_keymap at = IL_KEYMAP_INIT;
@@ -62,6 +75,9 @@ il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *er
     size_t points = il_slice_points(s);
     if (points >= INT32_MAX / 4)
         return il_fail(err, IL_E_INPUT, s->line, "a slice of %zu points is too large", points);
+    double extent = extent_of(s);
+    if (extent > 0 && extent < IL_SECTION_EXTENT_LEAST)
+        return il_fail(err, IL_E_INPUT, s->line, "a slice is less than 1e-40 across; use another unit");
     bool ok = il_keymap_reserve(&at, points) && new_stations(out, points);
     out->z = s->z;
     out->n_rings = s->n;

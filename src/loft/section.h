@@ -21,7 +21,11 @@ typedef struct il_section {
 #define IL_SECTION_INIT { 0 }
 void il_section_free(il_section *s);
 
-/* The section of the clean slice S. */
+/* Products of four lengths of a smaller slice run out of exponents. */
+#define IL_SECTION_EXTENT_LEAST 1e-40
+
+/* The section of the clean slice S.  IL_E_INPUT when it is smaller than
+ * IL_SECTION_EXTENT_LEAST across, or has too many points. */
 il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *err);
 
 il_status il_section_copy(il_section *to, const il_section *from, il_error *err);

@@ -241,7 +241,7 @@ static void combs_of_nearly_parallel_edges_settle_at_every_exponent(void **state
 static void the_size_of_a_drawing_does_not_matter(void **state)
 {
     (void)state;
-    static const int exponent[] = { -1070, -1040, -1000, -500, -100, 40, 45 };
+    static const int exponent[] = { -125, -120, -100, -80, -50, 40, 45 };
     for (uint64_t seed = 0; seed < 28; seed++) {
         uint64_t rng = seed;
         il_slice slice[2] = { random_tangle(&rng, 9), random_tangle(&rng, 9) };
@@ -251,7 +251,7 @@ static void the_size_of_a_drawing_does_not_matter(void **state)
                     slice[k].ring[i].xy[v] = ldexp(slice[k].ring[i].xy[v], exponent[seed % 7]);
         scene *s = scene_of(&slice[0], &slice[1]);
         assert_true(il_snap_last_exponent(&s->r) <= il_snap_first_exponent(&s->r, false));
-        assert_true(check_grids(s, "size", seed) || seed % 7 == 0);
+        assert_true(check_grids(s, "size", seed));
         scene_free(s);
     }
 }

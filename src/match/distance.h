@@ -1,0 +1,64 @@
+/* distance.h - the distance map of one slice's rings, worked out where it is asked for.
+ *
+ * Phi(p): signed Euclidean distance to the nearest contour segment, positive
+ * inside (paper, section 3.2), sampled at the nodes of a raster.  It is the
+ * distance to segments, not to pixels, which would be wrong by half a cell; and
+ * it is worked out by tiles at first touch, for the solver looks at the strip
+ * that the moving contour sweeps and nowhere else. */
+#ifndef IL_MATCH_DISTANCE_H
+#define IL_MATCH_DISTANCE_H
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Node (i, j) of the raster lies at (i, j): one cell is the unit of everything
+ * here.  A tile is IL_TILE_CELLS cells square and holds its border nodes itself,
+ * so that a point's four nodes are always in one tile. */
+enum { IL_TILE_NODES = 16, IL_TILE_CELLS = 15, IL_DISTANCE_MOST_CELLS = 256 };
+
+/* The fields are the implementation's, but for n_tiles_done.  One map can be
+ * rebuilt again and again and keeps its memory. */
+typedef struct il_distance {
+    /* segment s runs from (ax, ay) by (dx, dy); inverse: 1 / length^2, 0 for none */
+    float *ax, *ay, *dx, *dy, *inverse; size_t n, cap_ax, cap_ay, cap_dx, cap_dy, cap_inverse;
+    uint32_t cells_x, cells_y, tiles_x, tiles_y;
+    int32_t *slot;           size_t cap_slot;      /* [tiles_x*tiles_y] or -1 */
+    float *value;            size_t cap_value;     /* [n_tiles_done * 256] */
+    uint32_t *nearest;       size_t cap_nearest;   /* segment at each node, as value */
+    uint32_t *candidate;     size_t n_candidates, cap_candidate;
+    uint32_t *first;         size_t cap_first;     /* [n_tiles_done + 1] into candidate */
+    size_t n_tiles_done;
+    bool failed;
+} il_distance;
+
+#define IL_DISTANCE_INIT { 0 }
+void il_distance_free(il_distance *d);
+
+/* Begin the map of closed rings in a raster of CELLS_X by CELLS_Y cells (at most
+ * IL_DISTANCE_MOST_CELLS each): vertices xy[2*N]; vertex i is joined to next[i],
+ * and segment i starts there.  The region is on the left of the rings; inside is
+ * even-odd.  N at least 1. */
+il_status il_distance_begin(il_distance *d, const double *xy, const uint32_t *next, size_t n,
+                            uint32_t cells_x, uint32_t cells_y, il_error *err);
+
+/* Phi and its gradient at P[k] = (x[k], y[k]), k < N, bilinear between the nodes
+ * (error about curvature / 8; the gradient is that of the bilinear patch).  A
+ * point outside of the raster is taken at the nearest place of its border.  Without
+ * memory D->failed is set and zeros come back. */
+void il_distance_sample(il_distance *d, const float *x, const float *y, size_t n,
+                        float *phi, float *gx, float *gy);
+
+/* The point of the contours nearest to a point in the raster: on segment
+ * `segment` at t in [0, 1], so far away (>= 0). */
+typedef struct il_foot {
+    uint32_t segment;
+    float t, distance;
+} il_foot;
+
+/* Exact but for rounding: all segments that can be nearest in the tile are tried. */
+il_foot il_distance_foot(il_distance *d, float x, float y);
+
+#endif

@@ -8,6 +8,7 @@
 #define IL_BASE_SIMD_H
 
 #include <stdint.h>
+#include <string.h>
 
 enum { IL_LANES = 8 };
 
@@ -29,6 +30,19 @@ typedef int32_t il_i8 __attribute__((vector_size(32)));
 IL_LANEWISE il_f8 il_f8_all(float x)
 {
     return (il_f8){ x, x, x, x, x, x, x, x };
+}
+
+/* From and to any address of floats. */
+IL_LANEWISE il_f8 il_f8_load(const float *p)
+{
+    il_f8 v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+
+IL_LANEWISE void il_f8_store(float *p, il_f8 v)
+{
+    memcpy(p, &v, sizeof v);
 }
 
 /* Lane by lane A where MASK is -1, B where it is 0. */

@@ -217,7 +217,7 @@ static il_status build_stages(work *w, il_error *err)
 {
     bool rounds = w->writer && w->writer->round_float;
     il_clean_options as_is = { .round_float = false }, rounded = { .round_float = true };
-    il_match_options m = { IL_MATCHER_NONE };
+    il_match_options m = { IL_MATCHER_NONE, false };
     il_status st = build_lofter(w, rounds, err);
     if (st == IL_OK && rounds)
         st = il_cleaner_new(&w->rounder, &rounded, w->lofter, &w->rounding, err);

@@ -170,11 +170,18 @@ static il_status set_groups(il_options *o, const char *value, bool on, il_error 
 static il_status set_matcher(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
-    if (strcmp(value, "ffd") == 0)
-        return il_fail(err, IL_E_USAGE, 0, "this version has no ffd matcher yet; --matcher none is the only one");
-    if (strcmp(value, "none") != 0)
-        return il_fail(err, IL_E_USAGE, 0, "no matcher is called '%.40s' (there is: none)", value);
-    o->matcher = IL_MATCHER_NONE;
+    bool ffd = strcmp(value, "ffd") == 0;
+    if (!ffd && strcmp(value, "none") != 0)
+        return il_fail(err, IL_E_USAGE, 0, "no matcher is called '%.40s' (there are: ffd, none)", value);
+    o->matcher = ffd ? IL_MATCHER_FFD : IL_MATCHER_NONE;
+    return IL_OK;
+}
+
+static il_status set_lattice(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->keep_lattices = on;
     return IL_OK;
 }
 
@@ -287,8 +294,10 @@ const il_option il_option_table[] = {
       NULL, "distance of a flattened curve from the true one", set_flatness },
     { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
       "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
-    { 0, "matcher", "none", IL_OPTION_VALUE, LOFTERS | MATCH,
-      NULL, "how slices are matched; none is the identity", set_matcher },
+    { 0, "matcher", "ffd|none", IL_OPTION_VALUE, LOFTERS | MATCH,
+      NULL, "how slices are matched: deformed, or as they lie", set_matcher },
+    { 0, "lattice", NULL, IL_OPTION_SWITCH, CONVERT | MATCH | MESH,
+      NULL, "pair records hold the lattices too, for plots", set_lattice },
     { 0, "groups", "stack|slab", IL_OPTION_VALUE, CONVERT | MESH,
       NULL, "OBJ: a group for each stack (default) or slab", set_groups },
     { 0, "strict", NULL, IL_OPTION_SWITCH, STREAMS,

@@ -42,6 +42,7 @@ typedef struct il_options {
     il_read_options read;
     il_cap cap;
     il_matcher matcher;
+    bool keep_lattices;
     int threads;
     il_when progress;
     unsigned long given;        /* bit k: row k of il_option_table was given */

@@ -188,7 +188,7 @@ static il_status build_matcher(pipeline *p, il_error *err)
 {
     if (!p->plan->match)
         return IL_OK;
-    il_match_options m = { p->options->matcher };
+    il_match_options m = { p->options->matcher, p->options->keep_lattices };
     il_status st = il_matcher_new(&p->matcher, &m, p->first, err);
     p->first = st == IL_OK ? p->matcher : p->first;
     return st;

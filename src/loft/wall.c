@@ -5,7 +5,7 @@
  * chains between nodes, which are points where anything else meets them. */
 #include "config.h"
 #include "loft/builder.h"
-#include "loft/zipper.h"
+#include "base/zipper.h"
 #include "base/alloc.h"
 
 #include <string.h>

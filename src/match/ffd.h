@@ -6,6 +6,7 @@
 #define IL_MATCH_FFD_H
 
 #include "base/status.h"
+#include "match/distance.h"
 #include "model/pair.h"
 
 /* Rings to match, in cells of the raster: vertices xy[2*n], vertex i joined to
@@ -28,5 +29,8 @@ void il_ffd_free(il_ffd *f); /* null is fine */
  * want of memory: how good phi is, the figures tell. */
 il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upper,
                        uint32_t cells_x, uint32_t cells_y, il_fit *fit, il_error *err);
+
+/* After il_ffd_solve: the point of the lower contours nearest to (x, y), cells. */
+il_foot il_ffd_foot(il_ffd *f, double x, double y);
 
 #endif

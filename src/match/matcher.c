@@ -1,18 +1,49 @@
 #include "config.h"
 #include "match/matcher.h"
 #include "base/alloc.h"
+#include "match/group.h"
+#include "match/link.h"
+
+/* phi of all upper rings, in order; a ring that was not matched stays. */
+static il_status record_images(il_pair *pair, const il_slice *upper, const il_image *image, il_error *err)
+{
+    for (uint32_t r = 0; r < upper->n; r++) {
+        const il_ring *ring = &upper->ring[r];
+        size_t n = image[r].n > 0 ? image[r].n : ring->n;
+        if (!il_grow(&pair->phi, &pair->cap_phi, pair->n_phi + n, sizeof *pair->phi))
+            return il_fail_nomem(err);
+        for (uint32_t k = 0; k < n; k++) {
+            il_course_row a = { k, 0, 0, 0 };
+            if (image[r].n > 0)
+                a = image[r].row[k];
+            else
+                a.x = ring->xy[2 * k], a.y = ring->xy[2 * k + 1];
+            pair->phi[pair->n_phi++] = (il_phi_point){ { r, a.vertex, a.t }, a.x, a.y };
+        }
+    }
+    return IL_OK;
+}
 
 il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il_match_options *o,
-                          il_pair *out, il_error *err)
+                          il_ffd *solver, il_pair *out, il_error *err)
 {
-    (void)lower;
-    (void)upper;
     *out = (il_pair)IL_PAIR_INIT;
-    if (o->matcher != IL_MATCHER_NONE)
-        return il_fail(err, IL_E_USAGE, 0, "this version knows no other matcher than none");
-    /* The identity: there is nothing to say of it. */
-    out->matcher = IL_MATCHER_NONE;
-    return IL_OK;
+    out->matcher = o->matcher;
+    if (o->matcher == IL_MATCHER_NONE)
+        return IL_OK; /* the identity: there is nothing to say of it */
+    il_image *image = il_calloc(upper->n, sizeof *image);
+    il_status st = image ? il_link_slices(out, lower, upper, err) : il_fail_nomem(err);
+    for (size_t i = 0; st == IL_OK && i < out->n_groups; i++)
+        if (out->group[i].n_lower > 0 && out->group[i].n_upper > 0)
+            st = il_group_match(out, &out->group[i], lower, upper, solver, o->keep_lattices, image, err);
+    if (st == IL_OK)
+        st = record_images(out, upper, image, err);
+    for (size_t r = 0; image && r < upper->n; r++)
+        il_free(image[r].row);
+    il_free(image);
+    if (st != IL_OK)
+        il_pair_free(out);
+    return st;
 }
 
 /* Whether the stream brings a pair is known only when the call after the upper
@@ -22,6 +53,7 @@ typedef struct matcher_stage {
     il_sink sink;
     il_sink *next;
     il_match_options options;
+    il_ffd *solver;
     il_slice lower, upper;
     size_t n;
     bool waiting;
@@ -41,7 +73,7 @@ static il_status match_waiting(matcher_stage *m, il_error *err)
         return IL_OK;
     m->waiting = false;
     il_pair pair = IL_PAIR_INIT;
-    il_status st = il_match_slices(&m->lower, &m->upper, &m->options, &pair, err);
+    il_status st = il_match_slices(&m->lower, &m->upper, &m->options, m->solver, &pair, err);
     if (st == IL_OK)
         st = m->next->pair(m->next, &pair, err);
     il_pair_free(&pair);
@@ -104,6 +136,11 @@ il_status il_matcher_new(il_sink **out, const il_match_options *o, il_sink *next
     m->next = next;
     m->options = *o;
     m->lower = m->upper = (il_slice)IL_SLICE_INIT;
+    il_status st = o->matcher == IL_MATCHER_FFD ? il_ffd_new(&m->solver, err) : IL_OK;
+    if (st != IL_OK) {
+        il_free(m);
+        return st;
+    }
     *out = &m->sink;
     return IL_OK;
 }
@@ -114,5 +151,6 @@ void il_matcher_free(il_sink *s)
     if (!m)
         return;
     forget(m);
+    il_ffd_free(m->solver);
     il_free(m);
 }

@@ -2,11 +2,24 @@
 #include "model/pair.h"
 #include "base/alloc.h"
 
+void il_fit_drop_lattices(il_fit *f)
+{
+    for (size_t i = 0; i < f->n_lattices; i++)
+        il_free(f->lattice[i].d);
+    il_free(f->lattice);
+    f->lattice = NULL;
+    f->n_lattices = f->cap_lattices = 0;
+}
+
+void il_fit_free(il_fit *f)
+{
+    il_fit_drop_lattices(f);
+    *f = (il_fit){ 0 };
+}
+
 static void free_group(il_group *g)
 {
-    for (size_t i = 0; i < g->fit.n_lattices; i++)
-        il_free(g->fit.lattice[i].d);
-    il_free(g->fit.lattice);
+    il_fit_free(&g->fit);
     il_free(g->link);
     il_free(g->lower);
     il_free(g->upper);

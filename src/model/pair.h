@@ -118,6 +118,8 @@ typedef struct il_pair {
 
 #define IL_PAIR_INIT { 0 }
 void il_pair_free(il_pair *p);
+void il_fit_free(il_fit *f);          /* with its lattices; all zero afterwards */
+void il_fit_drop_lattices(il_fit *f); /* they alone; `steps` still says how many */
 
 /* Does P name rings or places?  If not, it holds for any two slices. */
 bool il_pair_names_rings(const il_pair *p);

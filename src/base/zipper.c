@@ -1,5 +1,5 @@
 #include "config.h"
-#include "loft/zipper.h"
+#include "base/zipper.h"
 #include "base/alloc.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* zipper.h - a strip of triangles between two chains that run the same way. */
-#ifndef IL_LOFT_ZIPPER_H
-#define IL_LOFT_ZIPPER_H
+#ifndef IL_BASE_ZIPPER_H
+#define IL_BASE_ZIPPER_H
 
 #include "base/status.h"
 

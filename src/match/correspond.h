@@ -1,0 +1,25 @@
+/* correspond.h - which arc of the lower contours each arc of the deformed upper ones is. */
+#ifndef IL_MATCH_CORRESPOND_H
+#define IL_MATCH_CORRESPOND_H
+
+#include "match/course.h"
+
+/* Rings are numbered in the group, places and residuals are those of the courses
+ * (cells).  In order of the upper places. */
+typedef struct il_correspondence {
+    il_match *match;          size_t n_matches, cap_matches;
+    il_unmatched *unmatched;  size_t n_unmatched, cap_unmatched;
+} il_correspondence;
+
+#define IL_CORRESPONDENCE_INIT { 0 }
+void il_correspondence_free(il_correspondence *c);
+
+/* LOWER as it lies, UPPER as SOLVER's deformation lays it over.  Every upper point
+ * has its foot on the lower contours; where feet are near, normals agree and the
+ * feet run on with the points, the arcs correspond.  A matched arc begins and
+ * ends at vertices of both, and no two share one; it is the whole ring where all
+ * of it runs once round a lower ring.  Its residuals are those of the best
+ * monotone pairing of its points (base/zipper.h).  The rest is unmatched. */
+il_status il_correspond(il_correspondence *out, const il_course *lower, const il_course *upper, il_ffd *solver, il_error *err);
+
+#endif

@@ -1,0 +1,34 @@
+/* frame.h - the raster over one group of rings: from the stack's unit to cells and back. */
+#ifndef IL_MATCH_FRAME_H
+#define IL_MATCH_FRAME_H
+
+#include "match/ffd.h"
+#include "model/stack.h"
+
+/* Cell (0, 0) begins `margin` cells before (x, y), the least coordinates of the
+ * group; a cell is a power of two of the stack's unit, so that contours moved by
+ * a vector or scaled by a power of two come to lie on the raster as they did. */
+typedef struct il_frame {
+    double x, y, cell, margin;
+    uint32_t cells_x, cells_y;
+} il_frame;
+
+/* The finest frame of at most 256 cells a side that leaves 15 % of the longer side
+ * as margin all round the rings of group G: with less, shapes that touch the
+ * frame cannot be moved freely there (2.4 cells off instead of 0.3). */
+il_frame il_frame_about(const il_group *g, const il_slice *lower, const il_slice *upper);
+
+/* The rings ring[n_rings] of a slice in cells: xy[2*n] and next[n], the caller's. */
+il_status il_frame_outline(const il_frame *f, const il_slice *s, const uint32_t *ring, size_t n_rings,
+                           double **xy, uint32_t **next, size_t *n, il_error *err);
+
+/* A fit in cells becomes one in the stack's unit, with the frame as its box. */
+void il_frame_scale_fit(const il_frame *f, il_fit *fit);
+
+static inline void il_frame_to_cells(const il_frame *f, const double p[2], double out[2])
+{
+    out[0] = (p[0] - f->x) / f->cell + f->margin;
+    out[1] = (p[1] - f->y) / f->cell + f->margin;
+}
+
+#endif

@@ -7,8 +7,12 @@
 #ifndef IL_BASE_SIMD_H
 #define IL_BASE_SIMD_H
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 enum { IL_LANES = 8 };
 
@@ -27,9 +31,16 @@ typedef int32_t il_i8 __attribute__((vector_size(32)));
  * no one way of being passed. */
 #define IL_LANEWISE static inline __attribute__((always_inline))
 
+/* X - 0 is X, and one instruction; gcc 12 takes eight for { x, x, ... } when the
+ * lanes are looked at one by one later. */
 IL_LANEWISE il_f8 il_f8_all(float x)
 {
-    return (il_f8){ x, x, x, x, x, x, x, x };
+    return x - (il_f8){ 0 };
+}
+
+IL_LANEWISE il_i8 il_i8_all(int32_t x)
+{
+    return x + (il_i8){ 0 };
 }
 
 /* From and to any address of floats. */
@@ -43,6 +54,57 @@ IL_LANEWISE il_f8 il_f8_load(const float *p)
 IL_LANEWISE void il_f8_store(float *p, il_f8 v)
 {
     memcpy(p, &v, sizeof v);
+}
+
+IL_LANEWISE void il_i8_store(uint32_t *p, il_i8 v)
+{
+    memcpy(p, &v, sizeof v);
+}
+
+/* The lesser lane by lane, B where they cannot be told; compilers make one
+ * instruction of the loop. */
+IL_LANEWISE il_f8 il_f8_min(il_f8 a, il_f8 b)
+{
+    for (int i = 0; i < IL_LANES; i++)
+        a[i] = a[i] < b[i] ? a[i] : b[i];
+    return a;
+}
+
+IL_LANEWISE il_f8 il_f8_max(il_f8 a, il_f8 b)
+{
+    for (int i = 0; i < IL_LANES; i++)
+        a[i] = a[i] > b[i] ? a[i] : b[i];
+    return a;
+}
+
+IL_LANEWISE il_f8 il_f8_abs(il_f8 v)
+{
+    return (il_f8)((il_i8)v & 0x7fffffff);
+}
+
+/* Rounded correctly, as sqrtf is, which would set errno lane by lane. */
+IL_LANEWISE il_f8 il_f8_root(il_f8 v)
+{
+#ifdef __SSE2__
+    __m128 half[2];
+    memcpy(half, &v, sizeof v);
+    half[0] = _mm_sqrt_ps(half[0]);
+    half[1] = _mm_sqrt_ps(half[1]);
+    memcpy(&v, half, sizeof v);
+#else
+    for (int i = 0; i < IL_LANES; i++)
+        v[i] = sqrtf(v[i]);
+#endif
+    return v;
+}
+
+/* The least lane. */
+IL_LANEWISE float il_f8_least(il_f8 v)
+{
+    float least = v[0];
+    for (int i = 1; i < IL_LANES; i++)
+        least = v[i] < least ? v[i] : least;
+    return least;
 }
 
 /* Lane by lane A where MASK is -1, B where it is 0. */

@@ -22,15 +22,22 @@ enum { IL_TILE_NODES = 16, IL_TILE_CELLS = 15, IL_DISTANCE_MOST_CELLS = 256 };
 /* The fields are the implementation's, but for n_tiles_done.  One map can be
  * rebuilt again and again and keeps its memory. */
 typedef struct il_distance {
-    /* segment s runs from (ax, ay) by (dx, dy); inverse: 1 / length^2, 0 for none */
-    float *ax, *ay, *dx, *dy, *inverse; size_t n, cap_ax, cap_ay, cap_dx, cap_dy, cap_inverse;
+    struct il_distance_segment *segment; size_t n, cap_segment;
+    struct il_distance_run *run;         size_t n_runs, cap_run;   /* of IL_LANES segments */
+    struct il_distance_box *box;         size_t cap_box;           /* around IL_LANES runs */
+    float slack;                                                   /* what floats may be off by in a distance */
     uint32_t cells_x, cells_y, tiles_x, tiles_y;
+    uint64_t *inside;        size_t row_words, cap_inside;         /* a bit a node, [cells_y + 1][row_words] */
     int32_t *slot;           size_t cap_slot;      /* [tiles_x*tiles_y] or -1 */
     float *value;            size_t cap_value;     /* [n_tiles_done * 256] */
     uint32_t *nearest;       size_t cap_nearest;   /* segment at each node, as value */
     uint32_t *candidate;     size_t n_candidates, cap_candidate;
     uint32_t *first;         size_t cap_first;     /* [n_tiles_done + 1] into candidate */
     size_t n_tiles_done;
+    /* of the tile being made */
+    float *bound;            size_t cap_bound;     /* of runs, then of the segments in runs that are kept */
+    uint32_t *kept;          size_t cap_kept;
+    struct il_distance_near *near; size_t cap_near;
     bool failed;
 } il_distance;
 

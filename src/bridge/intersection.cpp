@@ -9,12 +9,17 @@
 #include "config.h"
 #include "bridge/guard.h"
 #include "bridge/intersection.h"
+extern "C" {
+#include "base/alloc.h"
+}
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -31,12 +36,13 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
  * overlap here. */
 enum { N_AXES = 9, LEAF_SIZE = 4 };
 
-/* hub: see Search; NO_HUB behind the last. */
-const uint32_t NO_HUB = UINT32_MAX;
+/* hub: see Search; NO_HUB behind the last.  group: of all that is inside, or
+ * MIXED; two triangles of one group are not compared. */
+const uint32_t NO_HUB = UINT32_MAX, MIXED = UINT32_MAX;
 
 struct Box {
     float lo[N_AXES], hi[N_AXES];
-    uint32_t hub[3];
+    uint32_t hub[3], group;
     bool touched;
 };
 
@@ -307,6 +313,7 @@ Box empty_box()
     std::fill(b.lo, b.lo + N_AXES, INFINITY);
     std::fill(b.hi, b.hi + N_AXES, -INFINITY);
     std::fill(b.hub, b.hub + 3, NO_HUB);
+    b.group = MIXED;
     b.touched = false;
     return b;
 }
@@ -386,6 +393,8 @@ void add_box(Box &b, const Box &other)
         b.lo[k] = std::min(b.lo[k], other.lo[k]);
         b.hi[k] = std::max(b.hi[k], other.hi[k]);
     }
+    if (b.group != other.group)
+        b.group = MIXED;
     b.touched = b.touched || other.touched;
 }
 
@@ -409,10 +418,11 @@ uint64_t spread_bits(uint64_t x)
     return (x | x << 2) & UINT64_C(0x1249249249249249);
 }
 
-/* What was found: how many pairs, and the least of them. */
+/* What was found: how many pairs, and the least of them; between groups, which. */
 struct Found {
     size_t limit, n;
     uint32_t first[2];
+    std::set<std::pair<uint32_t, uint32_t>> groups;
 
     bool enough() const { return n >= limit; }
 
@@ -425,6 +435,21 @@ struct Found {
             first[0] = a;
             first[1] = b;
         }
+    }
+
+    /* Need A and B be compared?  Not within a group, and groups only until they meet. */
+    bool wants(const Box &a, const Box &b) const
+    {
+        if (a.group == MIXED || b.group == MIXED)
+            return true;
+        return a.group != b.group && !groups.count(std::minmax(a.group, b.group));
+    }
+
+    void record(const Facet &a, const Facet &b)
+    {
+        record(a.index, b.index);
+        if (a.box.group != MIXED)
+            groups.insert(std::minmax(a.box.group, b.box.group));
     }
 };
 
@@ -488,7 +513,7 @@ struct Search {
     void search(size_t a, size_t b)
     {
         if (found.enough() || !(node[a].touched || node[b].touched) || !overlap(node[a], node[b])
-            || least_common_hub(node[a], node[b]) < hub)
+            || least_common_hub(node[a], node[b]) < hub || !found.wants(node[a], node[b]))
             return;
         if (a >= n_leaves - 1) {
             search_leaves(a - (n_leaves - 1), b - (n_leaves - 1));
@@ -507,9 +532,9 @@ struct Search {
             const Facet &s = facet[i];
             for (size_t j = a == b ? i + 1 : leaf_begin(b); j < leaf_begin(b + 1); j++) {
                 const Facet &t = facet[j];
-                if (overlap(s.box, t.box) && (s.box.touched || t.box.touched)
+                if (overlap(s.box, t.box) && (s.box.touched || t.box.touched) && found.wants(s.box, t.box)
                     && least_common_hub(s.box, t.box) == hub && meet(s, t)) {
-                    found.record(s.index, t.index);
+                    found.record(s, t);
                     if (found.enough())
                         return;
                 }
@@ -627,7 +652,7 @@ void find_extent(const double *xyz, const uint32_t *tri, size_t n, double low[3]
 }
 
 il_status find_intersections(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n,
-                             const unsigned char *touched, Found &found, il_error *err)
+                             const unsigned char *touched, const uint32_t *group, Found &found, il_error *err)
 {
     for (size_t i = 0; i < 3 * n; i++)
         if (tri[i] >= n_vertices)
@@ -639,6 +664,8 @@ il_status find_intersections(const double *xyz, size_t n_vertices, const uint32_
     Search search(found, NO_HUB);
     search.facet.reserve(n);
     for (size_t i = 0; i < n && !found.enough(); i++) {
+        if (group && group[i] == MIXED)
+            continue;
         Facet f;
         for (int k = 0; k < 3; k++) {
             f.v[k] = xyz + 3 * size_t(tri[3 * i + size_t(k)]);
@@ -649,9 +676,10 @@ il_status find_intersections(const double *xyz, size_t n_vertices, const uint32_
         for (const double *v : f.v)
             add_point(f.box, frame, v);
         f.box.touched = !touched || touched[i];
+        f.box.group = group ? group[i] : MIXED;
         if (set_plane(f, extent))
             search.facet.push_back(f);
-        else if (f.box.touched)
+        else if (f.box.touched && !group)
             found.record(f.index, f.index);
     }
     search_hubs(search.facet, find_hubs(search.facet, n_vertices), found);
@@ -670,11 +698,35 @@ il_status il_intersections(const double *xyz, size_t n_vertices, const uint32_t 
     if (n_triangles == 0 || limit == 0)
         return IL_OK;
     return guarded(err, [&] {
-        Found all = { limit, 0, { UINT32_MAX, UINT32_MAX } };
-        il_status st = find_intersections(xyz, n_vertices, tri, n_triangles, touched, all, err);
+        Found all = { limit, 0, { UINT32_MAX, UINT32_MAX }, {} };
+        il_status st = find_intersections(xyz, n_vertices, tri, n_triangles, touched, nullptr, all, err);
         *found = all.n;
         first[0] = all.first[0];
         first[1] = all.first[1];
         return st;
+    });
+}
+
+il_status il_intersections_between(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n_triangles,
+                                   const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err)
+{
+    *pair = nullptr;
+    *n_pairs = 0;
+    if (n_triangles == 0)
+        return IL_OK;
+    return guarded(err, [&] {
+        Found all = { SIZE_MAX, 0, { UINT32_MAX, UINT32_MAX }, {} };
+        il_status st = find_intersections(xyz, n_vertices, tri, n_triangles, nullptr, group, all, err);
+        if (st != IL_OK)
+            return st;
+        *pair = static_cast<uint32_t *>(il_alloc(all.groups.size(), 2 * sizeof **pair));
+        if (!*pair)
+            return il_fail_nomem(err);
+        for (const auto &p : all.groups) {
+            (*pair)[2 * *n_pairs] = p.first;
+            (*pair)[2 * *n_pairs + 1] = p.second;
+            ++*n_pairs;
+        }
+        return IL_OK;
     });
 }

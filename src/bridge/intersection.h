@@ -28,6 +28,14 @@ il_status il_intersections(const double *xyz, size_t n_vertices, const uint32_t 
                            const unsigned char *touched, size_t limit,
                            size_t *found, uint32_t first[2], il_error *err);
 
+/* Which groups of triangles meet in more than vertices and edges they share:
+ * group[n_triangles] is the group of each, or UINT32_MAX for triangles that are
+ * left out.  Triangles of one group are not compared, nor are those without
+ * area.  *PAIR, the caller's to il_free: 2 * *N_PAIRS groups, lesser first, all
+ * pairs that meet, sorted.  Otherwise as il_intersections. */
+il_status il_intersections_between(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n_triangles,
+                                   const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -89,8 +89,9 @@ static void put_mesh(il_json *j, const il_stack_account *s)
     il_json_key(j, "slabs");
     il_json_open(j, '{');
     for (int k = 0; k < IL_N_ATTEMPTS; k++)
-        put_count(j, attempts[k], s->has_mesh ? f->slabs_by[k] : 0);
+        put_number(j, attempts[k], s->has_mesh ? f->length_by[k] : 0);
     il_json_close(j, '}');
+    put_number(j, "unpaired", s->has_mesh ? f->length_alone : 0);
     for (int k = 0; k < 4; k++) {
         il_json_key(j, keys[k]);
         s->has_mesh ? il_json_integer(j, values[k]) : il_json_null(j);

@@ -99,6 +99,18 @@ static void report_rows(il_output *out, const il_report *r)
         il_table_row(out, "note", "%s", r->note[k]);
 }
 
+/* How the contours were settled, as shares of their length. */
+static void settled_row(il_output *out, const il_mesh_facts *f)
+{
+    const double *by = f->length_by;
+    double paired = by[IL_ATTEMPT_S] + by[IL_ATTEMPT_P] + by[IL_ATTEMPT_B], all = paired + f->length_alone;
+    if (paired > 0)
+        il_table_row(out, "settled", "S %.4g %%, P %.4g %%, B %.4g %% of the contours", 100 * by[IL_ATTEMPT_S] / paired,
+                     100 * by[IL_ATTEMPT_P] / paired, 100 * by[IL_ATTEMPT_B] / paired);
+    if (f->length_alone > 0)
+        il_table_row(out, "unpaired", "%.4g %% of the contours", 100 * f->length_alone / all);
+}
+
 static void mesh_rows(il_output *out, const il_stack_account *s)
 {
     const il_mesh_facts *f = &s->facts;
@@ -111,6 +123,7 @@ static void mesh_rows(il_output *out, const il_stack_account *s)
     il_table_row(out, "components", "%ld, genus %ld", f->components, f->genus);
     if (f->pinches > 0)
         il_table_row(out, "pinches", "%zu, where the input touches itself", f->pinches);
+    settled_row(out, f);
     il_table_row(out, "area", "%.6g %s^2", f->area, unit);
     il_table_row(out, "volume", "%.6g %s^3", f->volume, unit);
 }

@@ -84,11 +84,12 @@ static il_flaw check_rest(const il_keymap *count, const il_surface *s, uint32_t 
     return IL_FLAW_NONE;
 }
 
-static il_status check_edges(const il_surface *s, const il_section *lower, const il_section *upper,
-                             il_verdict *v, il_error *err)
+il_status il_certify_edges(const il_surface *s, const il_section *lower, const il_section *upper,
+                           il_verdict *v, il_error *err)
 {
     il_keymap count = IL_KEYMAP_INIT;
     uint32_t where = 0;
+    *v = (il_verdict){ IL_FLAW_NONE, { 0, 0, 0 }, 0 };
     if (!count_half_edges(&count, s))
         return il_fail_nomem(err);
     if (!take_contour(&count, lower, 0, &where) || !take_contour(&count, upper, 1, &where)) {
@@ -148,11 +149,24 @@ il_status il_certify_touched(const il_surface *s, const il_section *lower, const
     return st;
 }
 
+il_status il_certify_between(const il_surface *s, const il_section *lower, const il_section *upper,
+                             const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err)
+{
+    soup m = { NULL, NULL, 0 };
+    *pair = NULL;
+    *n_pairs = 0;
+    il_status st = make_soup(&m, s, lower, upper) ? IL_OK : il_fail_nomem(err);
+    if (st == IL_OK)
+        st = il_intersections_between(m.xyz, m.n_vertices, m.tri, s->n_triangles, group, pair, n_pairs, err);
+    il_free(m.xyz);
+    il_free(m.tri);
+    return st;
+}
+
 il_status il_certify(const il_surface *s, const il_section *lower, const il_section *upper,
                      il_verdict *verdict, il_error *err)
 {
-    *verdict = (il_verdict){ IL_FLAW_NONE, { 0, 0, 0 }, 0 };
-    il_status st = check_edges(s, lower, upper, verdict, err);
+    il_status st = il_certify_edges(s, lower, upper, verdict, err);
     if (st == IL_OK && verdict->flaw == IL_FLAW_NONE)
         st = il_certify_touched(s, lower, upper, NULL, verdict, err);
     return st;

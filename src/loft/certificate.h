@@ -31,6 +31,14 @@ const char *il_flaw_words(il_flaw f);
 il_status il_certify(const il_surface *s, const il_section *lower, const il_section *upper,
                      il_verdict *verdict, il_error *err);
 
+/* Parts (a) and (b) alone. */
+il_status il_certify_edges(const il_surface *s, const il_section *lower, const il_section *upper,
+                           il_verdict *verdict, il_error *err);
+
+/* Part (c) between groups of triangles: which of them meet (bridge/intersection.h). */
+il_status il_certify_between(const il_surface *s, const il_section *lower, const il_section *upper,
+                             const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err);
+
 /* Part (c) alone, for pairs with one of the triangles that touched[] marks. */
 il_status il_certify_touched(const il_surface *s, const il_section *lower, const il_section *upper,
                              const unsigned char *touched, il_verdict *verdict, il_error *err);

@@ -158,7 +158,9 @@ static il_status count(passage *p, il_error *err)
 static void account(passage *p)
 {
     il_mesh_facts *f = &p->e->facts;
-    f->slabs_by[p->low->slab.attempt]++;
+    for (int k = 0; k < IL_N_ATTEMPTS; k++)
+        f->length_by[k] += p->low->slab.length_by[k];
+    f->length_alone += p->low->slab.length_alone;
     f->volume += p->low->volume;
     f->area += p->low->area;
     f->pinches += p->low->n_split + p->upper.n_pinches;

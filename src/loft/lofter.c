@@ -87,6 +87,7 @@ static il_status push(lofter *l, il_section *section, int32_t slice, il_error *e
 {
     il_window *w = &l->window;
     pthread_mutex_lock(&w->crew.mutex);
+    il_window_pair(w, NULL); /* none came */
     il_status st = emit_ready(l, err);
     while (st == IL_OK && w->n == IL_LOFT_WINDOW) {
         il_crew_help(&w->crew);
@@ -103,6 +104,7 @@ static il_status drain(lofter *l, il_error *err)
 {
     il_window *w = &l->window;
     pthread_mutex_lock(&w->crew.mutex);
+    il_window_pair(w, NULL);
     il_window_end(w);
     il_status st = emit_ready(l, err);
     while (st == IL_OK && w->n > 1) {
@@ -192,9 +194,11 @@ static il_status slice(il_sink *self, il_slice *s, il_error *err)
 
 static il_status pair(il_sink *self, il_pair *p, il_error *err)
 {
-    (void)self;
-    if (p->matcher != IL_MATCHER_NONE)
-        return il_fail(err, IL_E_INPUT, p->line, "this version lofts pairs of the matcher none only");
+    lofter *l = (lofter *)self;
+    (void)err;
+    pthread_mutex_lock(&l->window.crew.mutex);
+    il_window_pair(&l->window, p);
+    pthread_mutex_unlock(&l->window.crew.mutex);
     return IL_OK;
 }
 

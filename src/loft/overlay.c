@@ -128,7 +128,11 @@ static il_status read_triangles(il_overlay *o, il_error *err)
     for (size_t t = 0; t < o->n_triangles; t++)
         for (size_t k = 0; k < 3; k++)
             o->edge[3 * t + k] = il_overlay_edge(o, o->corner[3 * t + k], o->corner[3 * t + (k + 1) % 3]);
-    return il_parity_flood(o->across, o->edge, IL_EDGE_CONTOUR, o->n_triangles, o->inside) ? IL_OK : il_fail_nomem(err);
+    if (!il_parity_flood(o->across, o->edge, IL_EDGE_CONTOUR, o->n_triangles, o->inside))
+        return il_fail_nomem(err);
+    for (size_t t = 0; t < o->n_triangles; t++)
+        o->inside[t] ^= o->reference->outside;
+    return IL_OK;
 }
 
 /* The contour edges as constraints: those of an odd parity bound regions, and

@@ -19,7 +19,7 @@ static bool build_side(il_ref_side *side, const il_section *s)
 
 il_status il_reference_build(il_reference *r, const il_section *lower, const il_section *upper, il_error *err)
 {
-    *r = (il_reference){ { lower, upper }, { { 0 }, { 0 } } };
+    *r = (il_reference){ .section = { lower, upper } };
     if (build_side(&r->side[IL_LOWER], lower) && build_side(&r->side[IL_UPPER], upper))
         return IL_OK;
     il_reference_free(r);

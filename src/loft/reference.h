@@ -8,7 +8,8 @@
 
 #include "loft/section.h"
 
-enum { IL_LOWER = 0, IL_UPPER = 1 };
+/* Both regions, as in IL_EDGE_LOWER | IL_EDGE_UPPER (overlay.h). */
+enum { IL_OUTSIDE_SOLID = 3 };
 
 /* One vertex of a reference ring: on edge STATION of its section at parameter t
  * (0: the station's node itself, else a reference-only point). */
@@ -25,9 +26,12 @@ typedef struct il_ref_side {
     size_t n, cap, cap_next;
 } il_ref_side;
 
+/* outside: what the rings lie in, nothing (0) or solid in both slices
+ * (IL_OUTSIDE_SOLID), as for a group of holes. */
 typedef struct il_reference {
     const il_section *section[2];
     il_ref_side side[2];
+    unsigned char outside;
 } il_reference;
 
 /* Reference rings for phi = identity (attempt B).  Matching by deformation

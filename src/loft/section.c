@@ -14,6 +14,8 @@ void il_section_free(il_section *s)
     il_free(s->node_at);
     il_free(s->next);
     il_free(s->ring_at);
+    il_free(s->vertex_at);
+    il_free(s->t_at);
     *s = (il_section)IL_SECTION_INIT;
 }
 
@@ -32,26 +34,36 @@ static bool add_node(il_section *s, double x, double y, int32_t ring, int32_t ve
     return true;
 }
 
-/* Room for N stations; the old ones are given up. */
-static bool new_stations(il_section *s, size_t n)
+static void free_stations(il_section *s)
 {
-    uint32_t *node_at = il_alloc(n, sizeof *node_at);
-    uint32_t *next = il_alloc(n, sizeof *next);
-    uint32_t *ring_at = il_alloc(n, sizeof *ring_at);
     il_free(s->node_at);
     il_free(s->next);
     il_free(s->ring_at);
-    s->node_at = node_at;
-    s->next = next;
-    s->ring_at = ring_at;
+    il_free(s->vertex_at);
+    il_free(s->t_at);
+    s->node_at = s->next = s->ring_at = s->vertex_at = NULL;
+    s->t_at = NULL;
     s->n_stations = 0;
-    return node_at && next && ring_at;
 }
 
-static void add_station(il_section *s, uint32_t node, uint32_t ring)
+/* Room for N stations; the old ones are given up. */
+static bool new_stations(il_section *s, size_t n)
+{
+    free_stations(s);
+    s->node_at = il_alloc(n, sizeof *s->node_at);
+    s->next = il_alloc(n, sizeof *s->next);
+    s->ring_at = il_alloc(n, sizeof *s->ring_at);
+    s->vertex_at = il_alloc(n, sizeof *s->vertex_at);
+    s->t_at = il_alloc(n, sizeof *s->t_at);
+    return s->node_at && s->next && s->ring_at && s->vertex_at && s->t_at;
+}
+
+static void add_station(il_section *s, uint32_t node, uint32_t ring, uint32_t vertex, double t)
 {
     s->node_at[s->n_stations] = node;
     s->ring_at[s->n_stations] = ring;
+    s->vertex_at[s->n_stations] = vertex;
+    s->t_at[s->n_stations] = t;
     s->next[s->n_stations] = (uint32_t)s->n_stations + 1;
     s->n_stations++;
 }
@@ -89,7 +101,7 @@ il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *er
             uint32_t *node = il_keymap_put(&at, il_keymap_double(x), il_keymap_double(y), (uint32_t)out->n_nodes);
             ok = node && (*node < out->n_nodes || add_node(out, x, y, (int32_t)i, (int32_t)k));
             if (ok)
-                add_station(out, *node, (uint32_t)i);
+                add_station(out, *node, (uint32_t)i, (uint32_t)k, 0);
         }
         if (ok)
             out->next[out->n_stations - 1] = first;
@@ -119,10 +131,89 @@ il_status il_section_copy(il_section *to, const il_section *from, il_error *err)
         memcpy(to->node_at, from->node_at, m * sizeof *to->node_at);
         memcpy(to->next, from->next, m * sizeof *to->next);
         memcpy(to->ring_at, from->ring_at, m * sizeof *to->ring_at);
+        memcpy(to->vertex_at, from->vertex_at, m * sizeof *to->vertex_at);
+        memcpy(to->t_at, from->t_at, m * sizeof *to->t_at);
     }
     to->n_nodes = n;
     to->n_stations = m;
     return IL_OK;
+}
+
+uint32_t il_section_first_station(const il_section *s, size_t ring)
+{
+    size_t low = 0, high = s->n_stations;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (s->ring_at[middle] < ring)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return (uint32_t)low;
+}
+
+/* Append station I of WHOLE, and its node unless NUMBER knows it. */
+static bool take_station(il_section *part, const il_section *whole, uint32_t i, il_keymap *number, uint32_t *node_of)
+{
+    uint32_t node = whole->node_at[i];
+    uint32_t *known = il_keymap_put(number, node, 0, (uint32_t)part->n_nodes);
+    if (!known)
+        return false;
+    if (*known == part->n_nodes) {
+        node_of[part->n_nodes] = node;
+        if (!add_node(part, whole->xy[2 * node], whole->xy[2 * node + 1], whole->ring[node], whole->vertex[node]))
+            return false;
+    }
+    add_station(part, *known, whole->ring_at[i], whole->vertex_at[i], whole->t_at[i]);
+    return true;
+}
+
+il_status il_section_take(il_section *part, const il_section *whole, const uint32_t *ring, size_t n,
+                          uint32_t **node_of, uint32_t **station_of, il_error *err)
+{
+    size_t n_stations = 0;
+    il_keymap number = IL_KEYMAP_INIT;
+    *part = (il_section)IL_SECTION_INIT;
+    for (size_t r = 0; r < n; r++)
+        n_stations += il_section_first_station(whole, ring[r] + (size_t)1) - il_section_first_station(whole, ring[r]);
+    *node_of = il_alloc(n_stations, sizeof **node_of);
+    *station_of = il_alloc(n_stations, sizeof **station_of);
+    bool ok = *node_of && *station_of && new_stations(part, n_stations) && il_keymap_reserve(&number, n_stations);
+    part->z = whole->z;
+    part->n_rings = whole->n_rings;
+    for (size_t r = 0; ok && r < n; r++) {
+        uint32_t first = (uint32_t)part->n_stations, end = il_section_first_station(whole, ring[r] + (size_t)1);
+        for (uint32_t i = il_section_first_station(whole, ring[r]); ok && i < end; i++) {
+            (*station_of)[part->n_stations] = i;
+            ok = take_station(part, whole, i, &number, *node_of);
+        }
+        if (ok && part->n_stations > first)
+            part->next[part->n_stations - 1] = first;
+    }
+    il_keymap_free(&number);
+    if (ok)
+        return IL_OK;
+    il_free(*node_of);
+    il_free(*station_of);
+    *node_of = *station_of = NULL;
+    il_section_free(part);
+    return il_fail_nomem(err);
+}
+
+double il_section_end_t(const il_section *s, uint32_t station)
+{
+    double t = s->t_at[s->next[station]];
+    return t > 0 ? t : 1;
+}
+
+double il_section_length(const il_section *s)
+{
+    double length = 0;
+    for (size_t i = 0; i < s->n_stations; i++) {
+        const double *a = s->xy + 2 * s->node_at[i], *b = s->xy + 2 * s->node_at[s->next[i]];
+        length += hypot(b[0] - a[0], b[1] - a[1]);
+    }
+    return length;
 }
 
 /* Insertions in place order, with the node that each becomes. */
@@ -144,21 +235,21 @@ static int compare_placed(const void *p, const void *q)
 static bool insert_stations(il_section *s, const placed *p, size_t n)
 {
     il_section old = *s;
-    s->node_at = s->next = s->ring_at = NULL;
+    s->node_at = s->next = s->ring_at = s->vertex_at = NULL;
+    s->t_at = NULL;
     bool ok = new_stations(s, old.n_stations + n);
     uint32_t first = 0;
-    for (size_t i = 0, k = 0; ok && i < old.n_stations; i++) {
-        add_station(s, old.node_at[i], old.ring_at[i]);
+    for (uint32_t i = 0, k = 0; ok && i < old.n_stations; i++) {
+        double from = old.t_at[i], to = il_section_end_t(&old, i);
+        add_station(s, old.node_at[i], old.ring_at[i], old.vertex_at[i], from);
         for (; k < n && p[k].station == i; k++)
-            add_station(s, p[k].node, old.ring_at[i]);
+            add_station(s, p[k].node, old.ring_at[i], old.vertex_at[i], from + p[k].t * (to - from));
         if (old.next[i] != i + 1) { /* the ring ends here */
             s->next[s->n_stations - 1] = first;
             first = (uint32_t)s->n_stations;
         }
     }
-    il_free(old.node_at);
-    il_free(old.next);
-    il_free(old.ring_at);
+    free_stations(&old);
     return ok;
 }
 

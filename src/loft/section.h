@@ -6,16 +6,23 @@
 #include "base/status.h"
 #include "model/stack.h"
 
+/* The two sections of a slab. */
+enum { IL_LOWER = 0, IL_UPPER = 1 };
+
 /* Nodes are distinct positions: xy[2*n_nodes]; rings that touch share a node.
  * ring[i], vertex[i]: where node i first comes in the slice, or -1 when it was
  * inserted.  Stations are the vertices of all rings in order: station s stands
  * at node node_at[s], and edge s runs from station s to next[s].  Inserted
- * nodes follow the others, so that the numbers of nodes never change. */
+ * nodes follow the others, so that the numbers of nodes never change.
+ * ring_at[s], vertex_at[s], t_at[s]: the place of station s on the slice's rings
+ * as they came (model/pair.h), which insertions do not change; stations stand in
+ * the order of their places. */
 typedef struct il_section {
     double z;
     double *xy;              size_t n_nodes, cap_nodes;
     int32_t *ring, *vertex;  size_t cap_ring, cap_vertex;
-    uint32_t *node_at, *next, *ring_at; size_t n_stations, n_rings;
+    uint32_t *node_at, *next, *ring_at, *vertex_at;
+    double *t_at;            size_t n_stations, n_rings;
 } il_section;
 
 #define IL_SECTION_INIT { 0 }
@@ -29,6 +36,23 @@ void il_section_free(il_section *s);
 il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *err);
 
 il_status il_section_copy(il_section *to, const il_section *from, il_error *err);
+
+/* The section of the rings ring[N] of WHOLE (rising), with nodes and stations of
+ * its own: node k of it is (*node_of)[k] of WHOLE, and station k is
+ * (*station_of)[k]; both are the caller's, to il_free, and null after failure.
+ * Places and numbers of rings are those of WHOLE.  O(n log n) in what is taken. */
+il_status il_section_take(il_section *part, const il_section *whole, const uint32_t *ring, size_t n,
+                          uint32_t **node_of, uint32_t **station_of, il_error *err);
+
+/* The first station of ring RING; n_stations when RING is n_rings.  O(log n). */
+uint32_t il_section_first_station(const il_section *s, size_t ring);
+
+/* Where edge STATION ends, in the parameter of its original edge: 1, or the t of
+ * a point inserted there. */
+double il_section_end_t(const il_section *s, uint32_t station);
+
+/* The length of all rings, unit. */
+double il_section_length(const il_section *s);
 
 /* A point that a slab puts on edge STATION at parameter T in (0, 1). */
 typedef struct il_split {

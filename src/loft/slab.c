@@ -1,6 +1,7 @@
 #include "config.h"
 #include "loft/slab.h"
 #include "base/alloc.h"
+#include "loft/crowd.h"
 
 #include <string.h>
 
@@ -10,120 +11,22 @@ void il_slab_free(il_slab *s)
     memset(s, 0, sizeof *s);
 }
 
-/* One try: a grid and a height of caps. */
-typedef struct trial {
-    int exponent;
-    double rise;
-    bool round_float;
-} trial;
-
-/* Give the copies BELOW and ABOVE the surface's insertions, and judge it. */
-static il_status judge(il_slab *s, il_section *below, il_section *above, il_error *err)
-{
-    il_status st = il_section_insert(below, s->surface.insertion[0], s->surface.n_insertions[0], err);
-    if (st == IL_OK)
-        st = il_section_insert(above, s->surface.insertion[1], s->surface.n_insertions[1], err);
-    if (st == IL_OK)
-        st = il_certify(&s->surface, below, above, &s->verdict, err);
-    return st;
-}
-
-static void swap(il_section *a, il_section *b)
-{
-    il_section c = *a;
-    *a = *b;
-    *b = c;
-}
-
-/* Build over the snapped reference and judge; when sound, LOWER and UPPER are
- * exchanged for their successors with the insertions. */
-static il_status build_and_judge(il_slab *s, il_section *lower, il_section *upper, const il_reference *r,
-                                 const il_snapped *snapped, const trial *t, il_error *err)
-{
-    il_overlay o;
-    il_section below = IL_SECTION_INIT, above = IL_SECTION_INIT;
-    il_build_options options = { t->rise, t->round_float };
-    bool sound = true;
-    il_surface_free(&s->surface);
-    s->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
-    il_status st = il_overlay_build(&o, r, snapped, &sound, err);
-    if (st == IL_OK && sound) {
-        st = il_build_surface(&s->surface, &o, &options, err);
-        if (st == IL_OK)
-            st = il_section_copy(&below, lower, err);
-        if (st == IL_OK)
-            st = il_section_copy(&above, upper, err);
-        if (st == IL_OK)
-            st = judge(s, &below, &above, err);
-        if (st == IL_OK && s->verdict.flaw == IL_FLAW_NONE) {
-            swap(lower, &below);
-            swap(upper, &above);
-        }
-    }
-    il_section_free(&below);
-    il_section_free(&above);
-    il_overlay_free(&o);
-    return st;
-}
-
-/* Lower caps until they cross nothing; other flaws do not depend on them. */
-static il_status try_grid(il_slab *s, il_section *lower, il_section *upper, const il_reference *r,
-                          trial t, il_error *err)
-{
-    il_snapped snapped;
-    bool injective;
-    il_status st = il_snap(&snapped, r, t.exponent, &injective, err);
-    if (st != IL_OK)
-        return st;
-    s->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
-    if (injective) {
-        for (t.rise = 0.5; st == IL_OK && t.rise > 0.05; t.rise /= 2) {
-            st = build_and_judge(s, lower, upper, r, &snapped, &t, err);
-            if (s->verdict.flaw != IL_FLAW_CROSSING)
-                break;
-        }
-    }
-    il_snapped_free(&snapped);
-    return st;
-}
-
-/* The grid to try after EXPONENT: a coarser one once, when triangles crossed on
- * the first (what nearly coincides is one thing there), else ever finer ones,
- * since two vertices of one slice fell on one point. */
-static int next_exponent(int exponent, int first, int last, il_flaw flaw)
-{
-    if (exponent == first && flaw == IL_FLAW_CROSSING)
-        return first + 4;
-    int finer = (exponent > first ? first : exponent) - 4;
-    return finer > last ? finer : last;
-}
-
-/* Attempt B: phi is the identity. */
-static il_status attempt_identity(il_slab *s, il_section *lower, il_section *upper, bool round_float, il_error *err)
-{
-    il_reference r;
-    il_status st = il_reference_build(&r, lower, upper, err);
-    if (st != IL_OK)
-        return st;
-    int first = il_snap_first_exponent(&r, round_float), last = il_snap_last_exponent(&r);
-    trial t = { first, 0.5, round_float };
-    for (;;) {
-        st = try_grid(s, lower, upper, &r, t, err);
-        if (st != IL_OK || s->verdict.flaw == IL_FLAW_NONE || t.exponent <= last)
-            break;
-        t.exponent = next_exponent(t.exponent, first, last, s->verdict.flaw);
-    }
-    il_reference_free(&r);
-    s->attempt = IL_ATTEMPT_B;
-    return st;
-}
-
-il_status il_slab_loft(il_slab *out, il_section *lower, il_section *upper, bool round_float, il_error *err)
+il_status il_slab_loft(il_slab *out, il_section *lower, il_section *upper, const il_pair *pair, bool round_float, il_error *err)
 {
     *out = (il_slab)IL_SLAB_INIT;
-    il_status st = attempt_identity(out, lower, upper, round_float, err);
+    il_crowd crowd;
+    il_status st = il_crowd_gather(&crowd, lower, upper, pair, round_float, err);
+    if (st == IL_OK)
+        st = il_crowd_settle(&crowd, &out->surface, &out->verdict, err);
     if (st == IL_OK && out->verdict.flaw != IL_FLAW_NONE)
         st = IL_E_SURFACE;
+    if (st == IL_OK)
+        il_crowd_measure(&crowd, out->length_by, &out->length_alone);
+    if (st == IL_OK)
+        st = il_section_insert(lower, out->surface.insertion[0], out->surface.n_insertions[0], err);
+    if (st == IL_OK)
+        st = il_section_insert(upper, out->surface.insertion[1], out->surface.n_insertions[1], err);
+    il_crowd_free(&crowd);
     out->n_nodes[0] = lower->n_nodes;
     out->n_nodes[1] = upper->n_nodes;
     return st;

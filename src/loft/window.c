@@ -80,10 +80,10 @@ static int step(void *self, pthread_mutex_t *mutex)
     il_window *w = self;
     for (size_t p = w->first; !w->cancelled && il_window_has_slab(w, p); p++) {
         il_window_place *place = il_window_at(w, p), *above = il_window_at(w, p + 1);
-        if (place->state == IL_SLAB_WAITING && may_loft(w, p)) {
+        if (place->state == IL_SLAB_WAITING && place->paired && may_loft(w, p)) {
             place->state = IL_SLAB_LOFTING;
             pthread_mutex_unlock(mutex);
-            place->status = il_slab_loft(&place->slab, &place->section, &above->section, w->round_float, &place->error);
+            place->status = il_slab_loft(&place->slab, &place->section, &above->section, &place->pair, w->round_float, &place->error);
             pthread_mutex_lock(mutex);
             place->state = IL_SLAB_LOFTED;
         } else if (place->state == IL_SLAB_LOFTED && may_finish(w, p)) {
@@ -116,6 +116,7 @@ void il_window_stop(il_window *w)
     il_crew_end(&w->crew);
     for (size_t i = 0; i < IL_LOFT_WINDOW; i++) {
         il_section_free(&w->place[i].section);
+        il_pair_free(&w->place[i].pair);
         il_slab_free(&w->place[i].slab);
     }
 }
@@ -131,6 +132,21 @@ void il_window_push(il_window *w, il_section *section, int32_t slice)
         w->origin[2] = p->section.z;
     }
     w->n++;
+    il_crew_wake(&w->crew);
+}
+
+void il_window_pair(il_window *w, il_pair *pair)
+{
+    if (w->n < 2)
+        return;
+    il_window_place *p = il_window_at(w, w->first + w->n - 2);
+    if (p->paired)
+        return;
+    p->paired = true;
+    if (pair) {
+        p->pair = *pair;
+        *pair = (il_pair)IL_PAIR_INIT;
+    }
     il_crew_wake(&w->crew);
 }
 
@@ -152,6 +168,7 @@ void il_window_pop(il_window *w)
 {
     il_window_place *p = il_window_at(w, w->first);
     il_section_free(&p->section);
+    il_pair_free(&p->pair);
     il_slab_free(&p->slab);
     w->first++;
     w->n--;

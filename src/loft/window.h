@@ -21,6 +21,8 @@ typedef enum il_slab_state {
 typedef struct il_window_place {
     il_section section;
     int32_t slice;
+    il_pair pair;             /* of this slice and the one above, once it is told */
+    bool paired;
     il_slab slab;
     il_slab_state state;
     il_status status;         /* of the slab's work; it is finished when not IL_OK */
@@ -49,10 +51,15 @@ static inline il_window_place *il_window_at(il_window *w, size_t p)
     return &w->place[p % IL_LOFT_WINDOW];
 }
 
-/* Append a section (taken over); there must be room (n < IL_LOFT_WINDOW). */
+/* Append a section (taken over); there must be room (n < IL_LOFT_WINDOW).  Its
+ * slab waits for il_window_pair. */
 void il_window_push(il_window *w, il_section *section, int32_t slice);
 
-/* No section will follow. */
+/* What is known of the last two sections: PAIR (taken over), or null for
+ * nothing.  Does nothing when that was told before. */
+void il_window_pair(il_window *w, il_pair *pair);
+
+/* No section will follow; the last slab has its pair. */
 void il_window_end(il_window *w);
 
 /* Is slab P, between sections P and P + 1, there at all? */

@@ -2,6 +2,7 @@
 #ifndef IL_MODEL_MESH_H
 #define IL_MODEL_MESH_H
 
+#include "model/pair.h"
 #include "model/stack.h"
 
 /* Where a vertex comes from: indices of the normalised stream from 0, or -1
@@ -26,10 +27,13 @@ bool il_mesh_add_triangle(il_mesh *m, uint32_t a, uint32_t b, uint32_t c);
 
 /* What a finished stack looks like: filled by the lofter. */
 typedef struct il_mesh_facts {
-    size_t vertices, triangles, slices, rings, points, slabs_by[3];
+    size_t vertices, triangles, slices, rings, points;
     size_t pinches;          /* vertices or edges where the input touches itself, split */
     long components, genus;
     double volume, area;     /* unit^3, unit^2 */
+    /* of the contours, each in both of its slabs, unit: by the attempts that
+     * settled them, and of those without a partner in the slab's other slice */
+    double length_by[IL_N_ATTEMPTS], length_alone;
 } il_mesh_facts;
 
 /* Where meshes go.  Calls: (begin piece* end)* finish; the writer spools until

@@ -1,0 +1,32 @@
+/* attempt.h - one group of rings: tried in turn until a surface is certified.
+ *
+ * S: phi, with matched arcs laid on each other; P: phi alone; B: the slices as
+ * they lie (loft.md).  Each has its ladder of grids and of heights of caps. */
+#ifndef IL_LOFT_ATTEMPT_H
+#define IL_LOFT_ATTEMPT_H
+
+#include "loft/certificate.h"
+#include "model/pair.h"
+
+/* A group: its sections (the rings of the group alone), borrowed.  outside: as
+ * in reference.h. */
+typedef struct il_task {
+    const il_section *lower, *upper;
+    unsigned char outside;
+    bool round_float;
+} il_task;
+
+/* What came of it: attempt is the one that passed, or the last. */
+typedef struct il_outcome {
+    il_surface surface;
+    il_attempt attempt;
+    il_verdict verdict;
+} il_outcome;
+
+#define IL_OUTCOME_INIT { 0 }
+void il_outcome_free(il_outcome *o);
+
+/* IL_OK also when no attempt passed: the verdict tells. */
+il_status il_attempt_group(il_outcome *out, const il_task *task, il_error *err);
+
+#endif

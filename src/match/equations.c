@@ -78,7 +78,7 @@ static void add_forward(il_equations *e, il_misfit *m)
         e->vx[k] = -w * r * gx;
         e->vy[k] = -w * r * gy;
         sum += r * r;
-        most = fmaxf(most, fabsf(r));
+        most = fabsf(r) > most ? fabsf(r) : most;
     }
     m->forward_rms = sqrtf(sum * w);
     m->forward_max = most;
@@ -100,9 +100,8 @@ static void add_backward(il_equations *e, const il_samples *moved, const il_samp
         e->yy[p] += w * ny * ny;
         e->vx[p] -= w * r * nx;
         e->vy[p] -= w * r * ny;
-        float d = il_partner_distance(moved, p, target, q);
-        sum += d * d;
-        most = fmaxf(most, d);
+        sum += r * r;
+        most = fabsf(r) > most ? fabsf(r) : most;
     }
     m->backward_rms = sqrtf(sum * w);
     m->backward_max = most;

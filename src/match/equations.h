@@ -23,7 +23,7 @@ typedef struct il_equations {
 void il_equations_free(il_equations *e);
 
 /* How far apart the two contours still are: root mean square and largest of the
- * distances, in cells, both ways. */
+ * distances, in cells, both ways; backward along the target's normals. */
 typedef struct il_misfit {
     float forward_rms, forward_max, backward_rms, backward_max;
 } il_misfit;

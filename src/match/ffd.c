@@ -37,8 +37,9 @@ static const float ENOUGH_RMS = 0.05f, ENOUGH_MAX = 0.3f;
 /* Root mean square of the log stretch above which a fit is doubted. */
 static const double DOUBTFUL = 0.25;
 
-/* A level ends after this many steps, or when two gain less than a twentieth. */
-enum { MOST_STEPS = 60 };
+/* A level ends after this many steps, or when so many gain less than a twentieth:
+ * the first attempt, which easy pairs need alone, is less patient. */
+enum { MOST_STEPS = 10, PATIENCE_FIRST = 2, PATIENCE = 4 };
 static const float GAIN = 0.95f;
 
 /* Cells across / spacing, coarse to fine, ended by 0: the lattices of one attempt. */
@@ -64,6 +65,7 @@ struct il_ffd {
     float *jacobian;                   size_t cap_jacobian; /* of moved[k] so far */
     il_equations equations;
     history now, best;
+    bool best_is_last;                 /* `moved` and the partners are still those of the best */
     uint32_t cells_x, cells_y;
 };
 
@@ -157,9 +159,9 @@ static il_status choose_samples(il_ffd *f, float spacing, il_error *err)
 }
 
 /* Below this many pairs of samples all of them are looked at in every step. */
-enum { FEW_PAIRS = 1 << 16, ANEW_EVERY = 4 };
+enum { FEW_PAIRS = 1 << 14, ANEW_EVERY = 4 };
 
-static il_status run_level(il_ffd *f, float spacing, il_error *err)
+static il_status run_level(il_ffd *f, float spacing, int patience, il_error *err)
 {
     il_spline s = il_spline_over(f->cells_x, f->cells_y, spacing);
     il_status st = choose_samples(f, spacing, err);
@@ -173,7 +175,7 @@ static il_status run_level(il_ffd *f, float spacing, il_error *err)
         float now = m.forward_rms + m.backward_rms;
         idle = now > GAIN * before ? idle + 1 : 0;
         before = now;
-        if (fits(&m) || idle == 4)
+        if (fits(&m) || idle == patience)
             break;
         il_equations_solve(&f->equations, &f->moving, &s);
         st = take_step(f, &s, err);
@@ -191,9 +193,10 @@ static double distortion(const il_samples *from, const il_samples *to)
     double sum = 0, squares = 0;
     for (size_t k = 0; k < from->n; k++) {
         uint32_t a = from->before[k], b = from->after[k];
-        double was = hypot(from->x[b] - from->x[a], from->y[b] - from->y[a]);
-        double is = hypot(to->x[b] - to->x[a], to->y[b] - to->y[a]);
-        double stretch = was > 0 && is > 0 ? log(is / was) : 0;
+        double wx = from->x[b] - from->x[a], wy = from->y[b] - from->y[a];
+        double ix = to->x[b] - to->x[a], iy = to->y[b] - to->y[a];
+        double was = wx * wx + wy * wy, is = ix * ix + iy * iy;
+        double stretch = was > 0 && is > 0 ? 0.5 * log(is / was) : 0;
         sum += stretch;
         squares += stretch * stretch;
     }
@@ -230,14 +233,16 @@ static il_status attempt(il_ffd *f, const il_global *g, const unsigned *ladder, 
 {
     il_status st = start(f, g, err);
     float across = (float)(f->cells_x > f->cells_y ? f->cells_x : f->cells_y);
+    int patience = ladder == LADDER[0] ? PATIENCE_FIRST : PATIENCE;
     for (; st == IL_OK && *ladder > 0; ladder++)
-        st = run_level(f, across / (float)*ladder, err);
+        st = run_level(f, across / (float)*ladder, patience, err);
     return st == IL_OK ? judge(f, err) : st;
 }
 
 static void keep_if_better(il_ffd *f, bool *any)
 {
-    if (*any && !better(&f->now, &f->best))
+    f->best_is_last = !*any || better(&f->now, &f->best);
+    if (!f->best_is_last)
         return;
     history h = f->now;
     f->now = f->best;
@@ -329,16 +334,21 @@ static il_status record_steps(const history *h, il_fit *fit, il_error *err)
     return IL_OK;
 }
 
-/* All samples where H takes them, with their Jacobians. */
-static il_status carry(il_ffd *f, const history *h, il_error *err)
+/* All samples where the best attempt takes them, and their partners. */
+static il_status carry(il_ffd *f, il_error *err)
 {
+    const history *h = &f->best;
     const float *value = h->value;
+    if (f->best_is_last)
+        return IL_OK;
     il_status st = start(f, &h->global, err);
     for (size_t k = 0; st == IL_OK && k < h->n; k++) {
         il_spline_move(&h->spline[k], value, f->moved.x, f->moved.y, f->jacobian, f->moved.n);
         value += h->spline[k].size;
     }
     il_samples_set_normals(&f->moved);
+    if (st == IL_OK)
+        il_partners_find(&f->moved, &f->lower, true, f->equations.partner);
     return st;
 }
 
@@ -355,9 +365,8 @@ static void measure(il_ffd *f, il_fit *fit)
     fit->residual_up_mean = sum / (double)f->moved.n;
     fit->residual_up_max = most;
     sum = most = 0;
-    il_partners_find(&f->moved, &f->lower, true, f->equations.partner);
     for (uint32_t q = 0; q < f->lower.n; q++) {
-        double d = il_partner_distance_about(&f->moved, f->equations.partner[q], &f->lower, q);
+        double d = il_partner_distance(&f->moved, f->equations.partner[q], &f->lower, q);
         sum += d;
         most = fmax(most, d);
     }
@@ -383,7 +392,7 @@ il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upp
     if (st == IL_OK)
         st = climb(f, starts, n_starts, err);
     if (st == IL_OK)
-        st = carry(f, &f->best, err);
+        st = carry(f, err);
     if (st == IL_OK)
         st = record_steps(&f->best, fit, err);
     if (st == IL_OK && f->map.failed)

@@ -48,35 +48,30 @@ void il_partners_find(const il_samples *moved, const il_samples *target, bool an
     }
 }
 
-static float to_segment(float ax, float ay, float bx, float by, float x, float y)
+/* Squared distance of (x, y) from the segment. */
+static inline float to_segment(float ax, float ay, float bx, float by, float x, float y)
 {
     float dx = bx - ax, dy = by - ay, length2 = dx * dx + dy * dy;
     float t = length2 > 0 ? ((x - ax) * dx + (y - ay) * dy) / length2 : 0;
     t = t < 0 ? 0 : t > 1 ? 1 : t;
     float ex = ax + t * dx - x, ey = ay + t * dy - y;
-    return sqrtf(ex * ex + ey * ey);
+    return ex * ex + ey * ey;
 }
 
 float il_partner_distance(const il_samples *moved, uint32_t p, const il_samples *target, uint32_t q)
 {
-    const float *x = moved->x, *y = moved->y;
-    uint32_t a = moved->before[p], b = moved->after[p];
-    return fminf(to_segment(x[a], y[a], x[p], y[p], target->x[q], target->y[q]),
-                 to_segment(x[p], y[p], x[b], y[b], target->x[q], target->y[q]));
-}
-
-float il_partner_distance_about(const il_samples *moved, uint32_t p, const il_samples *target, uint32_t q)
-{
     uint32_t first = 0, last = (uint32_t)moved->n;
-    if (p != IL_NO_PARTNER) {
-        first = p > REACH ? p - REACH : 0;
-        last = p + REACH < last ? p + REACH : last;
+    float least = INFINITY;
+    if (p != IL_NO_PARTNER) { /* the edges about it, those at the ring's seam too */
+        first = p > REACH / 2 ? p - REACH / 2 : 0;
+        last = p + REACH / 2 < last ? p + REACH / 2 : last;
+        uint32_t b = moved->before[p];
+        least = to_segment(moved->x[b], moved->y[b], moved->x[p], moved->y[p], target->x[q], target->y[q]);
     }
-    float least = p != IL_NO_PARTNER ? il_partner_distance(moved, p, target, q) : INFINITY;
     for (uint32_t a = first; a < last; a++) {
         uint32_t b = moved->after[a];
         float d = to_segment(moved->x[a], moved->y[a], moved->x[b], moved->y[b], target->x[q], target->y[q]);
-        least = fminf(least, d);
+        least = d < least ? d : least;
     }
-    return least;
+    return sqrtf(least);
 }

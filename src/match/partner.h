@@ -13,11 +13,8 @@
 #define IL_NORMALS_AGREE 0.2f
 void il_partners_find(const il_samples *moved, const il_samples *target, bool anew, uint32_t *partner);
 
-/* Distance of target sample Q from the polyline of MOVED next to its sample P. */
-float il_partner_distance(const il_samples *moved, uint32_t p, const il_samples *target, uint32_t q);
-
-/* As il_partner_distance, from all of the polyline that is near its sample P, or
+/* Distance of target sample Q from the polyline of MOVED about its sample P, or
  * from all of it when P is IL_NO_PARTNER. */
-float il_partner_distance_about(const il_samples *moved, uint32_t p, const il_samples *target, uint32_t q);
+float il_partner_distance(const il_samples *moved, uint32_t p, const il_samples *target, uint32_t q);
 
 #endif

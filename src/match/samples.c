@@ -38,7 +38,8 @@ static void close_ring(il_samples *s, size_t first)
 static double edge_length(const il_outline *o, uint32_t v)
 {
     const double *a = o->xy + 2 * v, *b = o->xy + 2 * o->next[v];
-    return hypot(b[0] - a[0], b[1] - a[1]);
+    double dx = b[0] - a[0], dy = b[1] - a[1];
+    return sqrt(dx * dx + dy * dy); /* cells: nothing to overflow */
 }
 
 /* N points at equal arcs along the ring from vertex FIRST, LENGTH long. */

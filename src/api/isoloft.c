@@ -15,6 +15,7 @@
 #include "input/reader.h"
 #include "loft/lofter.h"
 #include "match/matcher.h"
+#include "match/refit.h"
 #include "output/writer.h"
 #include "region/clean.h"
 
@@ -46,6 +47,7 @@ typedef struct work {
     il_solids_sink solids;
     tally tally;
     il_sink *lofter, *rounder, *matcher, *cleaner, *first;
+    il_refit *refit;
     il_report report, rounding;
 } work;
 
@@ -220,9 +222,11 @@ static il_status build_stages(work *w, il_error *err)
     il_match_options m = { IL_MATCHER_NONE, false };
     il_status st = build_lofter(w, rounds, err);
     if (st == IL_OK && rounds)
-        st = il_cleaner_new(&w->rounder, &rounded, w->lofter, &w->rounding, err);
+        st = il_refit_new(&w->refit, w->lofter, err);
+    if (st == IL_OK && rounds)
+        st = il_cleaner_new(&w->rounder, &rounded, il_refit_behind(w->refit), &w->rounding, err);
     if (st == IL_OK)
-        st = il_matcher_new(&w->matcher, &m, rounds ? w->rounder : w->lofter, err);
+        st = il_matcher_new(&w->matcher, &m, rounds ? il_refit_before(w->refit, w->rounder) : w->lofter, err);
     if (st == IL_OK)
         st = il_cleaner_new(&w->cleaner, &as_is, w->matcher, &w->report, err);
     w->first = w->cleaner;
@@ -235,6 +239,7 @@ static void free_work(work *w)
     if (w->matcher)
         il_matcher_free(w->matcher);
     il_cleaner_free(w->rounder);
+    il_refit_free(w->refit);
     if (w->lofter)
         il_lofter_free(w->lofter);
     if (w->mesh_writer)

@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "cli/select.h"
 #include "match/matcher.h"
+#include "match/refit.h"
 #include "model/rescale.h"
 #include "model/tee.h"
 #include "region/clean.h"
@@ -25,6 +26,7 @@ typedef struct pipeline {
     il_destination *destination;
     il_output *pairs;
     il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *cleaner, *rescaler, *select, *first;
+    il_refit *refit;
     il_mesh_sink nowhere;
 } pipeline;
 
@@ -170,8 +172,10 @@ static il_status build_rounder(pipeline *p, il_error *err)
     if (!p->plan->loft || !p->options->to || !p->options->to->round_float)
         return IL_OK;
     il_clean_options c = { .round_float = true };
-    il_status st = il_cleaner_new(&p->rounder, &c, p->first, &p->account->rounding, err);
-    p->first = st == IL_OK ? p->rounder : p->first;
+    il_status st = il_refit_new(&p->refit, p->first, err);
+    if (st == IL_OK)
+        st = il_cleaner_new(&p->rounder, &c, il_refit_behind(p->refit), &p->account->rounding, err);
+    p->first = st == IL_OK ? il_refit_before(p->refit, p->rounder) : p->first;
     return st;
 }
 
@@ -239,6 +243,7 @@ static void free_pipeline(pipeline *p)
     if (p->cleaner)
         il_cleaner_free(p->cleaner);
     il_matcher_free(p->matcher);
+    il_refit_free(p->refit);
     il_tee_free(p->tee);
     if (p->rounder)
         il_cleaner_free(p->rounder);

@@ -67,6 +67,7 @@ struct il_ffd {
     history now, best;
     bool best_is_last;                 /* `moved` and the partners are still those of the best */
     uint32_t cells_x, cells_y;
+    bool loose;                        /* the two sides have not the same rings */
 };
 
 il_status il_ffd_new(il_ffd **out, il_error *err)
@@ -171,7 +172,7 @@ static il_status run_level(il_ffd *f, float spacing, int patience, il_error *err
     float before = INFINITY;
     int idle = 0;
     for (int i = 0; st == IL_OK && i < MOST_STEPS; i++) {
-        il_misfit m = il_equations_fill(&f->equations, &f->moving, &f->target, &f->map, few || i % ANEW_EVERY == 0);
+        il_misfit m = il_equations_fill(&f->equations, &f->moving, &f->target, &f->map, few || i % ANEW_EVERY == 0, f->loose);
         float now = m.forward_rms + m.backward_rms;
         idle = now > GAIN * before ? idle + 1 : 0;
         before = now;
@@ -211,7 +212,7 @@ static il_status judge(il_ffd *f, il_error *err)
     il_status st = il_equations_reserve(&f->equations, f->moved.n, f->lower.n, &none, err);
     if (st != IL_OK)
         return st;
-    f->now.misfit = il_equations_fill(&f->equations, &f->moved, &f->lower, &f->map, true);
+    f->now.misfit = il_equations_fill(&f->equations, &f->moved, &f->lower, &f->map, true, f->loose);
     f->now.fits = fits(&f->now.misfit);
     f->now.distortion = distortion(&f->upper, &f->moved);
     f->now.least_jacobian = f->jacobian[0];
@@ -374,6 +375,14 @@ static void measure(il_ffd *f, il_fit *fit)
     fit->residual_down_max = most;
 }
 
+static size_t count_rings(const il_outline *o)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < o->n; i++)
+        n += o->next[i] <= i;
+    return n;
+}
+
 il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upper,
                        uint32_t cells_x, uint32_t cells_y, il_fit *fit, il_error *err)
 {
@@ -382,6 +391,7 @@ il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upp
     *fit = (il_fit){ 0 };
     f->cells_x = cells_x;
     f->cells_y = cells_y;
+    f->loose = count_rings(lower) != count_rings(upper);
     il_status st = il_distance_begin(&f->map, lower->xy, lower->next, lower->n, cells_x, cells_y, err);
     if (st == IL_OK)
         st = il_samples_take(&f->lower, lower, SAMPLE_SPACING, err);

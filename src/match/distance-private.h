@@ -5,7 +5,7 @@
 #include "base/simd.h"
 #include "match/distance.h"
 
-/* From (ax, ay) by LENGTH in the direction (ux, uy); both zero for none. */
+/* From (ax, ay) by LENGTH in the direction (ux, uy), which is any for none. */
 typedef struct il_distance_segment {
     double ax, ay, ux, uy, length;
 } il_distance_segment;
@@ -20,15 +20,30 @@ typedef struct il_distance_box {
     float x[IL_LANES], y[IL_LANES], half_x[IL_LANES], half_y[IL_LANES], on_x[IL_LANES], on_y[IL_LANES];
 } il_distance_box;
 
-/* Eight segments seen from the middle m of a tile: (fx, fy) is the foot of m on
- * the segment less m, and the foot of m + p is that of m moved along by
- * clamp(p.u + k, low, high).  All that matters in the tile is small then, and the
- * floats are as exact as the tile is near.  excess: |f|^2 less that of the segment
- * nearest to m. */
+/* Eight segments seen from the middle m of a tile, whose foot on a segment is f.
+ * In the segment's own axes, u and n = (uy, -ux), a point m + p is
+ *     p.u + k along, beyond the segment where that exceeds +-half, and
+ *     p.n + across beside it.
+ * The axes begin in the middle not of the segment but of the little of it that
+ * feet of the tile's points can be on.  All that matters is small then, and the
+ * floats are as exact as the tile is near. */
 typedef struct il_distance_near {
-    float fx[IL_LANES], fy[IL_LANES], ux[IL_LANES], uy[IL_LANES];
-    float k[IL_LANES], low[IL_LANES], high[IL_LANES], excess[IL_LANES];
+    float ux[IL_LANES], uy[IL_LANES], k[IL_LANES], half[IL_LANES], across[IL_LANES];
+    float to_foot[IL_LANES]; /* where f lies along */
+    float excess[IL_LANES];  /* |m - f|^2 less that of the segment nearest to m */
 } il_distance_near;
+
+/* From eight segments' feet to a point: squares of lengths, ways. */
+typedef struct il_distance_way {
+    float square[IL_LANES], x[IL_LANES], y[IL_LANES];
+} il_distance_way;
+
+/* A segment as a quarter of a tile sees it: what is the same along a row of it. */
+typedef struct il_distance_rows {
+    float along[IL_LANES], across[IL_LANES], ux, uy, half;
+    uint32_t segment;
+    float k, twice_along, twice_across, to_foot, excess; /* from afar only */
+} il_distance_rows;
 
 /* Work out tile T; its slot, or -1 without memory. */
 int32_t il_distance_make_tile(il_distance *d, uint32_t t);

@@ -1,12 +1,10 @@
 /* One tile of the map: which segments can be nearest in it, then the distances.
  *
- * Culling in three steps, each exact: a segment B whose distance from the middle
- * of a square of half diagonal r exceeds that of another by more than 2r is
- * nearest nowhere in the square.  Runs of eight segments by their boxes; the
- * segments of the runs that are left; and these again in each quarter of the
- * tile, where what is still left is tried at all 64 nodes.  There is no division
- * and no root but one a node at the end.  What is kept is what is not known to be
- * too far, so that one is left whatever the numbers are. */
+ * Culling in three steps, each exact.  Runs of eight segments by their boxes; the
+ * segments of the runs that are left; and these again in each quarter of the tile,
+ * where what is still left is tried at all 64 nodes.  There is no division, and no
+ * root but one a node at the end.  What is kept is what is not known to be too far,
+ * so that one is left whatever the numbers are. */
 #include "config.h"
 #include "match/distance-private.h"
 #include "base/alloc.h"
@@ -18,14 +16,19 @@ enum {
     QUARTER_NODES = IL_TILE_NODES / 2,
 };
 
-/* Half diagonals of the squares of nodes: sqrt(2) * 7.5 and 3.5, rounded up. */
-static const float TILE_RADIUS = 10.60661f, QUARTER_RADIUS = 4.94975f;
+/* Half diagonal of a tile: sqrt(2) * 7.5, rounded up. */
+static const float TILE_RADIUS = 10.60661f;
 
 /* From here on distances are told by how far they differ from that of the
  * middle: a float near 100 has a place in 1e-5 left. */
 #define FAR 32
 
 /* ---- culling ---- */
+
+static float square(float v)
+{
+    return v * v;
+}
 
 /* bound[run]: squares of lower bounds on the distance from (X, Y); an upper bound
  * on the least distance to anything. */
@@ -42,48 +45,78 @@ IL_CLONES static float bound_runs(const il_distance_box *box, size_t n_runs, flo
     return sqrtf(il_f8_least(least));
 }
 
-/* As bound_runs, of the segments in N runs: squares of their distances. */
-IL_CLONES static float measure_runs(const il_distance_run *run, const uint32_t *kept, size_t n,
-                                    float x, float y, float *distance2)
+IL_LANEWISE void store_way(il_distance_way *w, il_f8 x, il_f8 y)
 {
-    il_f8 least = il_f8_all(INFINITY), none = il_f8_all(0);
+    il_f8_store(w->square, x * x + y * y);
+    il_f8_store(w->x, x);
+    il_f8_store(w->y, y);
+}
+
+IL_CLONES static void measure_runs(const il_distance_run *run, const uint32_t *kept, size_t n,
+                                   float x, float y, il_distance_way *way)
+{
+    il_f8 none = il_f8_all(0);
     for (size_t i = 0; i < n; i++) {
         const il_distance_run *r = &run[kept[i]];
         il_f8 ux = il_f8_load(r->ux), uy = il_f8_load(r->uy);
         il_f8 px = x - il_f8_load(r->ax), py = y - il_f8_load(r->ay);
         il_f8 along = il_f8_min(il_f8_max(px * ux + py * uy, none), il_f8_load(r->length));
-        il_f8 ex = px - along * ux, ey = py - along * uy, q = ex * ex + ey * ey;
-        il_f8_store(distance2 + i * IL_LANES, q);
-        least = il_f8_min(q, least);
+        store_way(&way[i], px - along * ux, py - along * uy);
     }
-    return sqrtf(il_f8_least(least));
 }
 
-static float square(float v)
+/* Of N ways those of segments that can be nearest within HALF of (X, Y) in x and y.
+ *
+ * Segment B cannot be where A is: its squared distance is convex, so that at
+ * (X, Y) + p it is at least |b|^2 + 2 b.p, with b the way from its foot; to the
+ * foot of A it is |a|^2 + 2 a.p + |p|^2.  The difference is convex in p, so it is
+ * negative everywhere if it is at the corners.  A is the nearest one to (X, Y). */
+IL_CLONES static size_t keep(const il_distance_way *way, size_t n, float half, float slack, uint32_t *kept)
 {
-    return v * v;
+    il_f8 lanes = il_f8_all(INFINITY);
+    for (size_t i = 0; i < n; i += IL_LANES)
+        lanes = il_f8_min(il_f8_load(way[i / IL_LANES].square), lanes);
+    float least = il_f8_least(lanes);
+    size_t a = 0;
+    while (a < n - 1 && way[a / IL_LANES].square[a % IL_LANES] > least)
+        a++;
+    float ax = way[a / IL_LANES].x[a % IL_LANES], ay = way[a / IL_LANES].y[a % IL_LANES];
+    float most = least + 2 * half * half + slack * (1 + sqrtf(least));
+    size_t n_kept = 0;
+    for (size_t i = 0; i < n; i += IL_LANES) {
+        const il_distance_way *w = &way[i / IL_LANES];
+        il_f8 apart = il_f8_abs(il_f8_load(w->x) - ax) + il_f8_abs(il_f8_load(w->y) - ay);
+        float beyond[IL_LANES];
+        il_f8_store(beyond, il_f8_load(w->square) - (apart * (2 * half) + most));
+        for (size_t k = 0; k < IL_LANES && i + k < n; k++) {
+            kept[n_kept] = (uint32_t)(i + k);
+            n_kept += !(beyond[k] > 0);
+        }
+    }
+    return n_kept;
 }
 
 /* The segments that can be nearest somewhere in the square around (X, Y), as
  * candidates of the next tile; false without memory. */
 static bool cull_all(il_distance *d, float x, float y)
 {
-    float *of_runs = d->bound, *of_segments = d->bound + (d->n_runs + IL_LANES - 1) / IL_LANES * IL_LANES;
-    float most = square(bound_runs(d->box, d->n_runs, x, y, of_runs) + 2 * TILE_RADIUS + d->slack);
-    size_t n_kept = 0;
+    float most = square(bound_runs(d->box, d->n_runs, x, y, d->bound) + 2 * TILE_RADIUS + d->slack);
+    size_t n_runs = 0;
     for (size_t r = 0; r < d->n_runs; r++) {
-        d->kept[n_kept] = (uint32_t)r;
-        n_kept += !(of_runs[r] > most);
+        d->kept[n_runs] = (uint32_t)r;
+        n_runs += !(d->bound[r] > most);
     }
-    if (!il_grow(&d->candidate, &d->cap_candidate, d->n_candidates + n_kept * IL_LANES, sizeof *d->candidate))
+    if (!il_grow(&d->candidate, &d->cap_candidate, d->n_candidates + n_runs * IL_LANES, sizeof *d->candidate))
         return false;
-    most = square(measure_runs(d->run, d->kept, n_kept, x, y, of_segments) + 2 * TILE_RADIUS + d->slack);
+    measure_runs(d->run, d->kept, n_runs, x, y, d->way);
+    size_t n = n_runs * IL_LANES; /* the last run may be filled up */
+    if (d->kept[n_runs - 1] == d->n_runs - 1)
+        n -= d->n_runs * IL_LANES - d->n;
+    uint32_t *candidate = d->candidate + d->n_candidates;
+    size_t n_kept = keep(d->way, n, 0.5f * IL_TILE_CELLS, d->slack, candidate);
     for (size_t i = 0; i < n_kept; i++)
-        for (uint32_t k = 0; k < IL_LANES; k++) {
-            uint32_t s = d->kept[i] * IL_LANES + k;
-            d->candidate[d->n_candidates] = s;
-            d->n_candidates += s < d->n && !(of_segments[i * IL_LANES + k] > most);
-        }
+        candidate[i] = d->kept[candidate[i] / IL_LANES] * IL_LANES + candidate[i] % IL_LANES;
+    d->n_candidates += n_kept;
     return true;
 }
 
@@ -93,137 +126,167 @@ typedef struct view {
     const il_distance_near *near;
     const uint32_t *candidate;
     size_t n;
-    double distance; /* of the tile's middle */
+    double distance; /* of the tile's middle, when it is far */
     bool is_far;
 } view;
 
-/* Foot of (X, Y) on S, less (X, Y); how far S goes on behind it and before. */
-typedef struct sight { double fx, fy, k, low, high; } sight;
+/* Further than this along a segment from the foot of the middle is no other foot. */
+#define REACH 16.
+
+/* Way from foot to (X, Y) in the axes of S; where the foot is on it. */
+typedef struct sight { double along, across, foot; } sight;
 
 static sight sight_of(const il_distance_segment *s, double x, double y)
 {
     double px = x - s->ax, py = y - s->ay, along = px * s->ux + py * s->uy;
-    double at = !(along > 0) ? 0 : along < s->length ? along : s->length;
-    return (sight){ at * s->ux - px, at * s->uy - py, along - at, -at, s->length - at };
+    double foot = !(along > 0) ? 0 : along < s->length ? along : s->length;
+    return (sight){ along - foot, px * s->uy - py * s->ux, foot };
 }
 
-static double foot_distance(sight g)
+static void look_at(il_distance_near *to, size_t k, const il_distance_segment *s, sight g)
 {
-    return sqrt(g.fx * g.fx + g.fy * g.fy);
+    double low = g.foot < REACH ? -g.foot : -REACH;
+    double high = s->length - g.foot < REACH ? s->length - g.foot : REACH;
+    double middle = 0.5 * (low + high);
+    to->ux[k] = (float)s->ux, to->uy[k] = (float)s->uy;
+    to->k[k] = (float)(g.along - middle), to->half[k] = (float)(0.5 * (high - low));
+    to->across[k] = (float)g.across;
+    to->to_foot[k] = (float)-middle;
 }
 
-static double least_distance(const view *v, const il_distance_segment *segment, double x, double y)
+static double square_of(sight g)
+{
+    return g.along * g.along + g.across * g.across;
+}
+
+/* |m - f|^2 is told apart in doubles: the difference is all that floats hold. */
+static void look_far(view *v, il_distance_near *near, const il_distance_segment *segment, double x, double y)
 {
     double least = INFINITY;
     for (size_t i = 0; i < v->n; i++) {
-        sight g = sight_of(&segment[v->candidate[i]], x, y);
-        least = fmin(least, g.fx * g.fx + g.fy * g.fy);
+        double q = square_of(sight_of(&segment[v->candidate[i]], x, y));
+        least = q < least ? q : least;
     }
-    return sqrt(least);
+    for (size_t i = 0; i < v->n; i++) {
+        double q = square_of(sight_of(&segment[v->candidate[i]], x, y));
+        near[i / IL_LANES].excess[i % IL_LANES] = (float)(q - least);
+    }
+    v->distance = sqrt(least);
 }
 
 static view look(il_distance *d, const uint32_t *candidate, size_t n, double x, double y)
 {
     view v = { d->near, candidate, n, 0, false };
-    v.distance = least_distance(&v, d->segment, x, y);
-    v.is_far = v.distance > FAR;
-    size_t padded = (n + IL_LANES - 1) / IL_LANES * IL_LANES;
-    for (size_t i = 0; i < padded; i++) {
-        const il_distance_segment *s = &d->segment[candidate[i < n ? i : n - 1]];
+    double least = INFINITY;
+    for (size_t i = 0; i < n; i++) {
+        const il_distance_segment *s = &d->segment[candidate[i]];
         sight g = sight_of(s, x, y);
-        double own = v.is_far ? foot_distance(g) : 0;
-        il_distance_near *to = &d->near[i / IL_LANES];
-        size_t k = i % IL_LANES;
-        to->fx[k] = (float)g.fx, to->fy[k] = (float)g.fy;
-        to->ux[k] = (float)s->ux, to->uy[k] = (float)s->uy;
-        to->k[k] = (float)g.k, to->low[k] = (float)g.low, to->high[k] = (float)g.high;
-        to->excess[k] = (float)((own - v.distance) * (own + v.distance));
+        double q = square_of(g);
+        least = q < least ? q : least;
+        look_at(&d->near[i / IL_LANES], i % IL_LANES, s, g);
     }
+    const il_distance_segment *last = &d->segment[candidate[n - 1]];
+    for (size_t i = n; i % IL_LANES != 0; i++) /* no lane may be nearer */
+        look_at(&d->near[i / IL_LANES], i % IL_LANES, last, sight_of(last, x, y));
+    v.is_far = least > FAR * FAR;
+    if (v.is_far)
+        look_far(&v, d->near, d->segment, x, y);
     return v;
-}
-
-/* One candidate in all lanes, or eight of them. */
-typedef struct near8 { il_f8 fx, fy, ux, uy, k, low, high, excess; } near8;
-
-IL_LANEWISE void load_all(near8 *s, const il_distance_near *n)
-{
-    *s = (near8){ il_f8_load(n->fx), il_f8_load(n->fy), il_f8_load(n->ux), il_f8_load(n->uy),
-                  il_f8_load(n->k), il_f8_load(n->low), il_f8_load(n->high), il_f8_load(n->excess) };
-}
-
-IL_LANEWISE void load_one(near8 *s, const il_distance_near *n, size_t k)
-{
-    *s = (near8){ il_f8_all(n->fx[k]), il_f8_all(n->fy[k]), il_f8_all(n->ux[k]), il_f8_all(n->uy[k]),
-                  il_f8_all(n->k[k]), il_f8_all(n->low[k]), il_f8_all(n->high[k]), il_f8_all(n->excess[k]) };
-}
-
-/* |f + w|^2 with w = s u - p, the way from p to its foot.  From afar, less the
- * square of the middle's distance: excess + (2f + w).w, of which nothing is large
- * but f, and a relative error of that is one of w only. */
-IL_LANEWISE il_f8 distance2(const near8 *s, il_f8 x, il_f8 y, bool is_far)
-{
-    il_f8 along = il_f8_min(il_f8_max(x * s->ux + y * s->uy + s->k, s->low), s->high);
-    il_f8 wx = along * s->ux - x, wy = along * s->uy - y;
-    if (is_far)
-        return s->excess + ((s->fx + s->fx + wx) * wx + (s->fy + s->fy + wy) * wy);
-    il_f8 ex = s->fx + wx, ey = s->fy + wy;
-    return ex * ex + ey * ey;
 }
 
 /* ---- a quarter of a tile ---- */
 
-/* bound[i]: square of the distance of candidate i from (X, Y); the least distance. */
-IL_CLONES static float measure_near(const view *v, float x, float y, float *bound)
+IL_CLONES static void measure_near(const view *v, float x, float y, il_distance_way *way)
 {
-    il_f8 least = il_f8_all(INFINITY);
     for (size_t i = 0; i < v->n; i += IL_LANES) {
-        near8 s;
-        load_all(&s, &v->near[i / IL_LANES]);
-        il_f8 q = distance2(&s, il_f8_all(x), il_f8_all(y), false);
-        il_f8_store(bound + i, q);
-        least = il_f8_min(q, least);
+        const il_distance_near *s = &v->near[i / IL_LANES];
+        il_f8 ux = il_f8_load(s->ux), uy = il_f8_load(s->uy), half = il_f8_load(s->half);
+        il_f8 along = x * ux + (y * uy + il_f8_load(s->k));
+        il_f8 beyond = along - il_f8_max(il_f8_min(along, half), -half);
+        il_f8 across = x * uy - (y * ux - il_f8_load(s->across));
+        store_way(&way[i / IL_LANES], beyond * ux + across * uy, beyond * uy - across * ux);
     }
-    return sqrtf(il_f8_least(least));
 }
 
-/* Distances and labels along a row of 8 nodes from (X, Y). */
-IL_LANEWISE void measure_row(const view *v, const uint32_t *kept, size_t n, float x, float y, bool is_far,
-                             float *value, uint32_t *nearest)
+/* The candidates KEPT for rows of nodes from Y on. */
+IL_CLONES static void lay_rows(const view *v, const uint32_t *kept, size_t n, float y, il_distance_rows *rows)
 {
-    il_f8 px = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + x, py = il_f8_all(y), least = il_f8_all(INFINITY);
-    il_i8 label = il_i8_all((int32_t)v->candidate[kept[0]]);
-    for (size_t i = 0; i < n; i++) {
-        near8 s;
-        load_one(&s, &v->near[kept[i] / IL_LANES], kept[i] % IL_LANES);
-        il_f8 q = distance2(&s, px, py, is_far);
-        int32_t own = (int32_t)v->candidate[kept[i]];
-        for (int k = 0; k < IL_LANES; k++)
-            label[k] = q[k] < least[k] ? own : label[k];
-        least = il_f8_min(q, least);
+    il_f8 py = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + y;
+    for (size_t i = 0; i < n; i++, rows++) {
+        const il_distance_near *s = &v->near[kept[i] / IL_LANES];
+        size_t k = kept[i] % IL_LANES;
+        il_f8_store(rows->along, py * s->uy[k] + s->k[k]);
+        il_f8_store(rows->across, py * s->ux[k] - s->across[k]);
+        rows->ux = s->ux[k], rows->uy = s->uy[k], rows->half = s->half[k];
+        rows->segment = v->candidate[kept[i]];
     }
-    il_f8_store(value, least);
-    il_i8_store(nearest, label);
 }
 
-IL_CLONES static void measure_quarter_near(const view *v, const uint32_t *kept, size_t n, float x, float y,
-                                           float *value, uint32_t *nearest)
+typedef struct row_state { il_f8 least; il_i8 label; } row_state;
+
+IL_LANEWISE void compare(row_state *r, il_f8 q, uint32_t segment)
 {
+    int32_t label = (int32_t)segment;
+    for (int k = 0; k < IL_LANES; k++)
+        r->label[k] = q[k] < r->least[k] ? label : r->label[k];
+    r->least = il_f8_min(q, r->least);
+}
+
+/* Distances and labels of 8 rows of 8 nodes from X on. */
+IL_CLONES static void measure_rows(const il_distance_rows *rows, size_t n, float x, float *value, uint32_t *nearest)
+{
+    il_f8 px = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + x, none = il_f8_all(0);
     for (int j = 0; j < QUARTER_NODES; j++) {
-        measure_row(v, kept, n, x, y + (float)j, false, value, nearest);
-        il_f8_store(value, il_f8_root(il_f8_load(value)));
+        row_state r = { il_f8_all(INFINITY), il_i8_all((int32_t)rows->segment) };
+        for (size_t i = 0; i < n; i++) {
+            const il_distance_rows *s = &rows[i];
+            il_f8 beyond = il_f8_max(il_f8_abs(px * s->ux + s->along[j]) - s->half, none);
+            il_f8 across = px * s->uy - s->across[j];
+            compare(&r, beyond * beyond + across * across, s->segment);
+        }
+        il_f8_store(value, il_f8_root(r.least));
+        il_i8_store(nearest, r.label);
         value += IL_TILE_NODES, nearest += IL_TILE_NODES;
     }
 }
 
-/* sqrt(D^2 + q) = D + q / (sqrt(D^2 + q) + D), with D in two floats. */
-IL_CLONES static void measure_quarter_far(const view *v, const uint32_t *kept, size_t n, float x, float y,
-                                          float *value, uint32_t *nearest)
+/* As lay_rows, but `along` and `across` are what they differ from the middle's. */
+IL_CLONES static void lay_far_rows(const view *v, const uint32_t *kept, size_t n, float y, il_distance_rows *rows)
 {
-    float high = (float)v->distance, low = (float)(v->distance - (double)high);
+    il_f8 py = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + y;
+    for (size_t i = 0; i < n; i++, rows++) {
+        const il_distance_near *s = &v->near[kept[i] / IL_LANES];
+        size_t k = kept[i] % IL_LANES;
+        il_f8_store(rows->along, py * s->uy[k]);
+        il_f8_store(rows->across, py * s->ux[k]);
+        rows->ux = s->ux[k], rows->uy = s->uy[k], rows->half = s->half[k];
+        rows->segment = v->candidate[kept[i]];
+        rows->k = s->k[k], rows->to_foot = s->to_foot[k], rows->excess = s->excess[k];
+        rows->twice_along = 2 * (s->k[k] - s->to_foot[k]), rows->twice_across = 2 * s->across[k];
+    }
+}
+
+/* From afar: with w = (wu, wn) how the way from the foot differs from that of the
+ * middle, g, it is |g + w|^2 - D^2 = excess + (2g + w).w, of which nothing is large
+ * but g, and a relative error of that is one of w only; and then
+ * sqrt(D^2 + q) = D + q / (sqrt(D^2 + q) + D), D the middle's distance in two floats. */
+IL_CLONES static void measure_far_rows(const il_distance_rows *rows, size_t n, double distance, float x,
+                                       float *value, uint32_t *nearest)
+{
+    float high = (float)distance, low = (float)(distance - (double)high);
+    il_f8 px = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + x;
     for (int j = 0; j < QUARTER_NODES; j++) {
-        measure_row(v, kept, n, x, y + (float)j, true, value, nearest);
-        il_f8 q = il_f8_load(value);
-        il_f8_store(value, high + (low + q / (il_f8_root(high * high + q) + high)));
+        row_state r = { il_f8_all(INFINITY), il_i8_all((int32_t)rows->segment) };
+        for (size_t i = 0; i < n; i++) {
+            const il_distance_rows *s = &rows[i];
+            il_f8 along = px * s->ux + s->along[j], half = il_f8_all(s->half);
+            il_f8 foot = il_f8_max(il_f8_min(along + s->k, half), -half);
+            il_f8 wu = along - (foot - s->to_foot);
+            il_f8 wn = px * s->uy - s->across[j];
+            compare(&r, s->excess + (wu * (wu + s->twice_along) + wn * (wn + s->twice_across)), s->segment);
+        }
+        il_f8_store(value, high + (low + r.least / (il_f8_root(high * high + r.least) + high)));
+        il_i8_store(nearest, r.label);
         value += IL_TILE_NODES, nearest += IL_TILE_NODES;
     }
 }
@@ -233,14 +296,15 @@ static void measure_quarter(il_distance *d, const view *v, int i, int j, float *
 {
     const float middle = 0.5f * IL_TILE_CELLS, half = 0.5f * (QUARTER_NODES - 1);
     float x = (float)i - middle, y = (float)j - middle;
-    float least = measure_near(v, x + half, y + half, d->bound);
-    float most = square(least + 2 * QUARTER_RADIUS + d->slack);
-    uint32_t n_kept = 0;
-    for (uint32_t s = 0; s < v->n; s++) {
-        d->kept[n_kept] = s;
-        n_kept += !(d->bound[s] > most);
+    measure_near(v, x + half, y + half, d->way);
+    size_t n = keep(d->way, v->n, half, d->slack, d->kept);
+    if (v->is_far) {
+        lay_far_rows(v, d->kept, n, y, d->rows);
+        measure_far_rows(d->rows, n, v->distance, x, value, nearest);
+    } else {
+        lay_rows(v, d->kept, n, y, d->rows);
+        measure_rows(d->rows, n, x, value, nearest);
     }
-    (v->is_far ? measure_quarter_far : measure_quarter_near)(v, d->kept, n_kept, x, y, value, nearest);
 }
 
 /* ---- signs ---- */

@@ -24,7 +24,9 @@ void il_distance_free(il_distance *d)
     il_free(d->first);
     il_free(d->bound);
     il_free(d->kept);
+    il_free(d->way);
     il_free(d->near);
+    il_free(d->rows);
     *d = (il_distance)IL_DISTANCE_INIT;
 }
 
@@ -88,16 +90,18 @@ static size_t groups(size_t n)
 
 static bool make_room(il_distance *d)
 {
-    size_t padded = d->n_runs * IL_LANES, n_tiles = (size_t)d->tiles_x * d->tiles_y;
+    size_t n_tiles = (size_t)d->tiles_x * d->tiles_y;
     return il_grow(&d->segment, &d->cap_segment, d->n, sizeof *d->segment)
         && il_grow(&d->run, &d->cap_run, d->n_runs, sizeof *d->run)
         && il_grow(&d->box, &d->cap_box, groups(d->n_runs), sizeof *d->box)
         && il_grow(&d->inside, &d->cap_inside, (d->cells_y + 1) * d->row_words, sizeof *d->inside)
         && il_grow(&d->slot, &d->cap_slot, n_tiles, sizeof *d->slot)
         && il_grow(&d->first, &d->cap_first, 1, sizeof *d->first)
-        && il_grow(&d->bound, &d->cap_bound, groups(d->n_runs) * IL_LANES + padded, sizeof *d->bound)
-        && il_grow(&d->kept, &d->cap_kept, padded, sizeof *d->kept)
-        && il_grow(&d->near, &d->cap_near, d->n_runs, sizeof *d->near);
+        && il_grow(&d->bound, &d->cap_bound, groups(d->n_runs) * IL_LANES, sizeof *d->bound)
+        && il_grow(&d->kept, &d->cap_kept, d->n_runs * IL_LANES, sizeof *d->kept)
+        && il_grow(&d->way, &d->cap_way, d->n_runs, sizeof *d->way)
+        && il_grow(&d->near, &d->cap_near, d->n_runs, sizeof *d->near)
+        && il_grow(&d->rows, &d->cap_rows, d->n, sizeof *d->rows);
 }
 
 static void lay_segments(il_distance *d, const double *xy, const uint32_t *next)
@@ -108,7 +112,7 @@ static void lay_segments(il_distance *d, const double *xy, const uint32_t *next)
         double dx = b[0] - a[0], dy = b[1] - a[1], length = sqrt(dx * dx + dy * dy);
         bool point = length < SHORTEST;
         double by = point ? 0 : 1 / length;
-        d->segment[i] = (il_distance_segment){ a[0], a[1], by * dx, by * dy, point ? 0 : length };
+        d->segment[i] = (il_distance_segment){ a[0], a[1], point ? 1 : by * dx, by * dy, point ? 0 : length };
         reach = fmax(reach, fmax(fabs(a[0]), fabs(a[1])));
     }
     /* Coordinates of that size are off by 2^-24 of it each, and so is every step

@@ -35,9 +35,11 @@ typedef struct il_distance {
     uint32_t *first;         size_t cap_first;     /* [n_tiles_done + 1] into candidate */
     size_t n_tiles_done;
     /* of the tile being made */
-    float *bound;            size_t cap_bound;     /* of runs, then of the segments in runs that are kept */
+    float *bound;            size_t cap_bound;     /* of runs */
     uint32_t *kept;          size_t cap_kept;
+    struct il_distance_way *way;   size_t cap_way;
     struct il_distance_near *near; size_t cap_near;
+    struct il_distance_rows *rows; size_t cap_rows;
     bool failed;
 } il_distance;
 

@@ -140,7 +140,7 @@ fi
 
 for f in $sources $headers $tests $examples $(find tests -name '*.sh'); do
     case $f in tests/t-*.c | tests/bench/*.c) f=${f%.c} ;; esac # where automake knows that it is FILE.c
-    grep -q -E "^[^#]*$f( |$)" Makefile.am || echo "$f"
+    grep -q -E "^[^#]*$f(\.c)?( |$)" Makefile.am || echo "$f"
 done >"$found"
 none "every file is in Makefile.am, so in the distribution"
 

@@ -285,6 +285,9 @@ static il_status forward_rms(il_ffd *f, const il_global *g, float *rms, il_error
     return IL_OK;
 }
 
+/* A turn is looked for where the contours are this far apart, cells. */
+static const float TURN_WORTHWHILE = 2;
+
 /* The starts to try, best first, into START: as they lie or by moments, whichever
  * is nearer; and turned, if that is nearer still. */
 static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outline *upper, il_global start[2], int *n, il_error *err)
@@ -301,7 +304,7 @@ static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outl
             best = rms;
         }
     }
-    if (st == IL_OK && best > ENOUGH_RMS && il_global_with_turn(lower, upper, &g)) {
+    if (st == IL_OK && best > TURN_WORTHWHILE && il_global_with_turn(lower, upper, &g)) {
         st = forward_rms(f, &g, &rms, err);
         if (st == IL_OK && rms < best) {
             start[1] = start[0];

@@ -99,7 +99,7 @@ static void signature(const il_outline *o, const moments *m, double s[BINS])
     for (size_t i = 0; i < o->n; i++) {
         const double *p = o->xy + 2 * i, *q = o->xy + 2 * o->next[i];
         double length = hypot(q[0] - p[0], q[1] - p[1]) / unit;
-        int parts = length < 1 ? 1 + (int)(length * 64) : 64;
+        int parts = length < 1 ? 1 + (int)(length * 32) : 32;
         for (int k = 0; k < parts; k++) {
             double t = (double)k / parts, x = p[0] + t * (q[0] - p[0]) - m->x, y = p[1] + t * (q[1] - p[1]) - m->y;
             int bin = (int)floor((atan2(y, x) / (2 * acos(-1.0)) + 0.5) * BINS);

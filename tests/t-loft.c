@@ -2,7 +2,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "loft/lofter.h"
-#include "model/audit.h"
+#include "lofting.h"
 #include "region/clean.h"
 #include "stacks.h"
 #include "test.h"
@@ -10,59 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- a mesh sink that keeps everything ---- */
-
-typedef struct keeper {
-    il_mesh_sink sink;
-    il_mesh mesh;
-    il_mesh_facts facts;
-    int begun, ended, abandoned;
-} keeper;
-
-static il_status keep_begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
-{
-    (void)head, (void)err;
-    ((keeper *)self)->begun++;
-    return IL_OK;
-}
-
-static il_status keep_piece(il_mesh_sink *self, const il_mesh *piece, il_error *err)
-{
-    keeper *k = (keeper *)self;
-    for (size_t i = 0; i < piece->n_vertices; i++)
-        if (!il_mesh_add_vertex(&k->mesh, piece->xyz + 3 * i, piece->origin[i]))
-            return il_fail_nomem(err);
-    for (size_t t = 0; t < piece->n_triangles; t++)
-        if (!il_mesh_add_triangle(&k->mesh, piece->tri[3 * t], piece->tri[3 * t + 1], piece->tri[3 * t + 2]))
-            return il_fail_nomem(err);
-    return IL_OK;
-}
-
-static il_status keep_end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *err)
-{
-    (void)err;
-    ((keeper *)self)->facts = *facts;
-    ((keeper *)self)->ended++;
-    return IL_OK;
-}
-
-static void keep_abandon(il_mesh_sink *self)
-{
-    ((keeper *)self)->abandoned++;
-}
-
-static il_status keep_finish(il_mesh_sink *self, il_error *err)
-{
-    (void)self, (void)err;
-    return IL_OK;
-}
-
-static keeper new_keeper(void)
-{
-    keeper k = { .sink = { keep_begin, keep_piece, keep_end, keep_abandon, keep_finish } };
-    return k;
-}
 
 /* ---- lofting slices ---- */
 
@@ -88,12 +35,6 @@ static il_status loft(keeper *k, const il_slice *slice, size_t n, const il_loft_
     il_cleaner_free(cleaner);
     il_lofter_free(lofter);
     return st;
-}
-
-static void free_slices(il_slice *slice, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        il_slice_free(&slice[i]);
 }
 
 static void add_box(il_slice *s, double x0, double y0, double x1, double y1)
@@ -128,21 +69,6 @@ static void assert_contours_kept(const keeper *k, const il_slice *slice, size_t 
     }
     /* vertices that rings share have one origin, and one vertex for each fan */
     assert_true(kept <= total + k->facts.pinches && kept + k->facts.pinches + 2 * total / 3 >= total);
-}
-
-static void assert_sound(const keeper *k, const char *what, unsigned long long seed)
-{
-    il_audit a;
-    assert_int_equal(il_mesh_audit(&k->mesh, &a, NULL), IL_OK);
-    if (!il_audit_is_sound(&a) || a.loose_vertices > 0)
-        fail_msg("%s %llu: closed %d, manifold %d, oriented %d, outward %d, %zu crossings, %zu loose", what, seed,
-                 a.closed, a.manifold, a.oriented, a.outward, a.self_intersections, a.loose_vertices);
-    assert_int_equal(a.vertices, k->facts.vertices);
-    assert_int_equal(a.triangles, k->facts.triangles);
-    assert_int_equal(a.components, k->facts.components);
-    assert_int_equal(a.genus, k->facts.genus);
-    assert_true(fabs(a.volume - k->facts.volume) <= 1e-9 * fabs(a.volume) + 1e-9);
-    assert_true(fabs(a.area - k->facts.area) <= 1e-9 * a.area);
 }
 
 static void loft_kind(stack_kind kind, uint64_t seeds, il_cap cap, bool round_float)
@@ -327,15 +253,6 @@ static void an_empty_slice_inside_parts_the_stack(void **state)
 }
 
 /* ---- the same whatever the road ---- */
-
-static void assert_same_mesh(const il_mesh *a, const il_mesh *b)
-{
-    assert_int_equal(a->n_vertices, b->n_vertices);
-    assert_int_equal(a->n_triangles, b->n_triangles);
-    assert_memory_equal(a->xyz, b->xyz, 3 * a->n_vertices * sizeof *a->xyz);
-    assert_memory_equal(a->origin, b->origin, a->n_vertices * sizeof *a->origin);
-    assert_memory_equal(a->tri, b->tri, 3 * a->n_triangles * sizeof *a->tri);
-}
 
 /* A stack of 30 slices, so that the window is passed several times. */
 static size_t long_stack(il_slice slice[30], uint64_t seed)

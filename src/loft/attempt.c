@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "loft/build.h"
 
+#include <math.h>
 #include <string.h>
 
 void il_outcome_free(il_outcome *o)
@@ -80,7 +81,7 @@ static int next_exponent(int exponent, int first, int last, il_flaw flaw)
     return finer > last ? finer : last;
 }
 
-/* Attempt B: phi is the identity. */
+/* Attempt B, phi the identity: the last that there is, so every grid is tried. */
 static il_status attempt_identity(il_outcome *out, const il_task *task, il_error *err)
 {
     il_reference r;
@@ -100,7 +101,66 @@ static il_status attempt_identity(il_outcome *out, const il_task *task, il_error
     return st;
 }
 
+/* Attempts S and P, over reference R.  Finer grids help where vertices fell on
+ * one point, a coarser one where triangles cross by a hair; what is wrong with
+ * phi, no grid puts right. */
+static il_status try_grids(il_outcome *out, const il_task *task, const il_reference *r, int first, il_error *err)
+{
+    enum { FINER = 2, STEP = 4 };
+    int last = il_snap_last_exponent(r);
+    il_status st = try_grid(out, task, r, first, err);
+    if (st == IL_OK && out->verdict.flaw == IL_FLAW_CROSSING)
+        st = try_grid(out, task, r, first + STEP, err);
+    for (int k = 1; st == IL_OK && k <= FINER && out->verdict.flaw == IL_FLAW_REFERENCE && first - k * STEP >= last; k++)
+        st = try_grid(out, task, r, first - k * STEP, err);
+    if (st != IL_E_INPUT)
+        return st;
+    /* too many crossings: no map that takes one slice to the other makes them */
+    out->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
+    *err = (il_error)IL_ERROR_INIT;
+    return IL_OK;
+}
+
+/* Attempt S, or P without the matched arcs. */
+static il_status attempt_deformed(il_outcome *out, const il_task *task, il_attempt attempt, il_error *err)
+{
+    static const double NEAR = 8; /* cells */
+    il_reference r;
+    il_status st = il_reference_deform(&r, task->lower, task->upper, task->phi, 0, err);
+    if (st != IL_OK)
+        return st;
+    int first = il_snap_first_exponent(&r, task->round_float);
+    il_reference_free(&r);
+    double near = ldexp(NEAR, first);
+    if (attempt == IL_ATTEMPT_S)
+        st = il_reference_match(&r, task->lower, task->upper, task->phi, task->match, task->n_matches, near, err);
+    else
+        st = il_reference_deform(&r, task->lower, task->upper, task->phi, near, err);
+    if (st != IL_OK)
+        return st;
+    r.outside = task->outside;
+    r.fit = task->fit;
+    out->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
+    if (attempt == IL_ATTEMPT_P || r.matched_length > 0)
+        st = try_grids(out, task, &r, first, err);
+    out->attempt = attempt;
+    if (attempt == IL_ATTEMPT_S && out->surface.walled < 0.9 * r.matched_length)
+        out->attempt = IL_ATTEMPT_P;
+    il_reference_free(&r);
+    return st;
+}
+
 il_status il_attempt_group(il_outcome *out, const il_task *task, il_error *err)
 {
-    return attempt_identity(out, task, err);
+    il_status st = IL_OK;
+    out->verdict.flaw = IL_FLAW_REFERENCE;
+    if (task->phi && task->lower->n_stations > 0 && task->upper->n_stations > 0) {
+        if (task->n_matches > 0)
+            st = attempt_deformed(out, task, IL_ATTEMPT_S, err);
+        if (st == IL_OK && out->verdict.flaw != IL_FLAW_NONE)
+            st = attempt_deformed(out, task, IL_ATTEMPT_P, err);
+    }
+    if (st == IL_OK && out->verdict.flaw != IL_FLAW_NONE)
+        st = attempt_identity(out, task, err);
+    return st;
 }

@@ -6,17 +6,23 @@
 #define IL_LOFT_ATTEMPT_H
 
 #include "loft/certificate.h"
+#include "loft/phi.h"
 #include "model/pair.h"
 
-/* A group: its sections (the rings of the group alone), borrowed.  outside: as
- * in reference.h. */
+/* A group: its sections (the rings of the group alone), and what is known of
+ * them: phi (null: nothing), match[n_matches], which of phi's matched arcs are
+ * theirs, and fit (or null); all borrowed.  outside: as in reference.h. */
 typedef struct il_task {
     const il_section *lower, *upper;
+    const il_phi *phi;
+    const uint32_t *match; size_t n_matches;
+    const il_fit *fit;
     unsigned char outside;
     bool round_float;
 } il_task;
 
-/* What came of it: attempt is the one that passed, or the last. */
+/* What came of it: attempt is the one that passed, or the last.  What passed as
+ * S with less than nine tenths of its matched length in walls counts as P. */
 typedef struct il_outcome {
     il_surface surface;
     il_attempt attempt;

@@ -96,7 +96,7 @@ il_status il_heights_build(il_heights *h, const il_overlay *o, il_error *err)
         if (!ok)
             break;
         const double *a = o->xy + 2 * o->corner[e], *b = o->xy + 2 * o->corner[e % 3 == 2 ? e - 2 : e + 1];
-        segment[n++] = (il_segment){ a[0], a[1], b[0], b[1], 2 * (size_t)h->component[e / 3] + il_edge_plane(o, e) };
+        segment[n++] = (il_segment){ a[0], a[1], b[0], b[1], 2 * (size_t)h->component[e / 3] + il_edge_plane(o, e), 0 };
     }
     if (!ok) {
         il_free(segment);

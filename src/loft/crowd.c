@@ -25,6 +25,8 @@ il_status il_crowd_gather(il_crowd *c, const il_section *lower, const il_section
     size_t n_rings[2] = { lower->n_rings, upper->n_rings };
     *c = (il_crowd){ .whole = { lower, upper }, .pair = pair, .round_float = round_float };
     il_status st = il_groups_find(&c->groups, pair, n_rings, err);
+    if (st == IL_OK)
+        st = il_phi_index(&c->phi, pair, upper, err);
     if (st == IL_OK) {
         c->member = il_calloc(c->groups.n, sizeof *c->member);
         st = c->member ? IL_OK : il_fail_nomem(err);
@@ -37,6 +39,7 @@ void il_crowd_free(il_crowd *c)
     for (size_t i = 0; c->member && i < c->groups.n; i++)
         free_member(&c->member[i]);
     il_free(c->member);
+    il_phi_free(&c->phi);
     il_groups_free(&c->groups);
     memset(c, 0, sizeof *c);
 }
@@ -98,9 +101,64 @@ static bool find_outside(const il_section *lower, const il_section *upper, unsig
     return holes[0] == holes[1];
 }
 
-static il_status settle_member(il_crowd *c, il_member *m, il_error *err)
+/* The matched arcs group by group: group g has match[first[g]] .. match[first[g + 1] - 1]. */
+typedef struct arcs {
+    uint32_t *first, *match;
+} arcs;
+
+static uint32_t group_of_match(il_crowd *c, const il_match *m)
 {
-    il_task task = { .lower = section_of(c, m, 0), .upper = section_of(c, m, 1), .round_float = c->round_float };
+    if (m->lower.from.ring >= c->groups.n_rings[0] || m->upper.from.ring >= c->groups.n_rings[1])
+        return UINT32_MAX;
+    uint32_t a = il_forest_leader(c->groups.up, c->groups.of[0][m->lower.from.ring]);
+    uint32_t b = il_forest_leader(c->groups.up, c->groups.of[1][m->upper.from.ring]);
+    return a == b ? a : UINT32_MAX;
+}
+
+/* As the groups are joined now; none without a phi. */
+static il_status list_arcs(il_crowd *c, arcs *a, il_error *err)
+{
+    size_t n = c->phi.pair ? c->phi.pair->n_matches : 0;
+    a->first = il_calloc(c->groups.n + 2, sizeof *a->first);
+    a->match = il_alloc(n, sizeof *a->match);
+    if (!a->first || !a->match)
+        return il_fail_nomem(err);
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t i = 0; i < n; i++) {
+            uint32_t g = group_of_match(c, &c->phi.pair->match[i]);
+            if (g == UINT32_MAX)
+                continue;
+            if (pass == 0)
+                a->first[g + 2]++;
+            else
+                a->match[a->first[g + 1]++] = (uint32_t)i;
+        }
+        for (size_t g = 2; pass == 0 && g < c->groups.n + 2; g++)
+            a->first[g] += a->first[g - 1];
+    }
+    return IL_OK;
+}
+
+/* The fit of group I: its own or that of the first that was joined to it. */
+static const il_fit *fit_of(il_crowd *c, uint32_t i)
+{
+    if (!c->phi.pair)
+        return NULL;
+    const il_pair *p = c->phi.pair;
+    for (uint32_t g = i; g < p->n_groups; g++)
+        if (p->group[g].fitted && il_forest_leader(c->groups.up, g) == i)
+            return &p->group[g].fit;
+    return NULL;
+}
+
+static il_status settle_member(il_crowd *c, uint32_t i, const arcs *a, il_error *err)
+{
+    il_member *m = &c->member[i];
+    il_task task = { .lower = section_of(c, m, 0), .upper = section_of(c, m, 1), .phi = c->phi.pair ? &c->phi : NULL,
+                     .match = a->match + a->first[i], .n_matches = a->first[i + 1] - a->first[i],
+                     .round_float = c->round_float };
+    if (task.lower->n_stations > 0 && task.upper->n_stations > 0)
+        task.fit = fit_of(c, i);
     m->settled = true;
     if (m->node_of[0] && !find_outside(task.lower, task.upper, &task.outside)) {
         m->outcome.attempt = IL_ATTEMPT_B;
@@ -126,12 +184,15 @@ static il_status take_parts(il_crowd *c, size_t i, const il_group_rings list[2],
 
 static il_status settle_members(il_crowd *c, il_error *err)
 {
+    arcs a = { NULL, NULL };
     il_group_rings list[2] = { { NULL, NULL }, { NULL, NULL } };
     bool single = count_leaders(c) == 1;
     il_status st = IL_OK;
     for (int k = 0; st == IL_OK && k < 2; k++)
         st = il_group_rings_list(&list[k], &c->groups, k, err);
-    for (size_t i = 0; st == IL_OK && i < c->groups.n; i++) {
+    if (st == IL_OK)
+        st = list_arcs(c, &a, err);
+    for (uint32_t i = 0; st == IL_OK && i < c->groups.n; i++) {
         if (!leads(c, i) || c->member[i].settled)
             continue;
         if (single)
@@ -139,10 +200,12 @@ static il_status settle_members(il_crowd *c, il_error *err)
         else
             st = take_parts(c, i, list, err);
         if (st == IL_OK)
-            st = settle_member(c, &c->member[i], err);
+            st = settle_member(c, i, &a, err);
     }
     il_group_rings_free(&list[0]);
     il_group_rings_free(&list[1]);
+    il_free(a.first);
+    il_free(a.match);
     return st;
 }
 

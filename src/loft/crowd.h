@@ -22,6 +22,7 @@ typedef struct il_member {
 typedef struct il_crowd {
     const il_section *whole[2];
     const il_pair *pair;
+    il_phi phi;
     bool round_float;
     il_groups groups;
     il_member *member;

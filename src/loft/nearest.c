@@ -3,7 +3,6 @@
 #include "base/alloc.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -104,12 +103,18 @@ void il_nearest_free(il_nearest *t)
     *t = (il_nearest){ 0 };
 }
 
-static double segment_distance2(const il_segment *s, double x, double y)
+/* Where on S the point (X, Y) is nearest. */
+static double nearest_t(const il_segment *s, double x, double y)
 {
     double ux = s->bx - s->ax, uy = s->by - s->ay, px = x - s->ax, py = y - s->ay;
     double length2 = ux * ux + uy * uy;
-    double t = length2 > 0 ? fmin(fmax((px * ux + py * uy) / length2, 0), 1) : 0;
-    double dx = px - t * ux, dy = py - t * uy;
+    return length2 > 0 ? fmin(fmax((px * ux + py * uy) / length2, 0), 1) : 0;
+}
+
+static double segment_distance2(const il_segment *s, double x, double y)
+{
+    double t = nearest_t(s, x, y);
+    double dx = x - s->ax - t * (s->bx - s->ax), dy = y - s->ay - t * (s->by - s->ay);
     return dx * dx + dy * dy;
 }
 
@@ -119,32 +124,67 @@ static double box_distance2(const double *box, double x, double y)
     return dx * dx + dy * dy;
 }
 
-static void search(const double *box, const il_segment *s, size_t n, double x, double y, double *least)
+/* What is looked for, and the best so far (square of the distance). */
+typedef struct search {
+    double x, y, dx, dy;
+    bool directed;
+    double least;
+    const il_segment *best;
+} search;
+
+static void look_at(search *q, const il_segment *s)
+{
+    if (q->directed && !((s->bx - s->ax) * q->dx + (s->by - s->ay) * q->dy > 0))
+        return;
+    double distance2 = segment_distance2(s, q->x, q->y);
+    if (distance2 < q->least) {
+        q->least = distance2;
+        q->best = s;
+    }
+}
+
+static void look_into(search *q, const double *box, const il_segment *s, size_t n)
 {
     if (n <= LEAF) {
         for (size_t i = 0; i < n; i++)
-            *least = fmin(*least, segment_distance2(&s[i], x, y));
+            look_at(q, &s[i]);
         return;
     }
     const double *left = box + 4, *right = left + 4 * boxes_of(n / 2);
-    double to_left = box_distance2(left, x, y), to_right = box_distance2(right, x, y);
+    double to_left = box_distance2(left, q->x, q->y), to_right = box_distance2(right, q->x, q->y);
     for (int turn = 0; turn < 2; turn++) {
         bool go_left = (to_left <= to_right) == (turn == 0);
-        if ((go_left ? to_left : to_right) >= *least)
+        if ((go_left ? to_left : to_right) >= q->least)
             continue;
         if (go_left)
-            search(left, s, n / 2, x, y, least);
+            look_into(q, left, s, n / 2);
         else
-            search(right, s + n / 2, n - n / 2, x, y, least);
+            look_into(q, right, s + n / 2, n - n / 2);
     }
+}
+
+static void find(const il_nearest *t, size_t c, search *q)
+{
+    size_t n = t->first[c + 1] - t->first[c];
+    q->least = INFINITY;
+    q->best = NULL;
+    if (n > 0)
+        look_into(q, t->box + 4 * t->root[c], t->segment + t->first[c], n);
 }
 
 double il_nearest_distance(const il_nearest *t, size_t c, double x, double y)
 {
-    double least = INFINITY;
-    size_t n = t->first[c + 1] - t->first[c];
-    if (n > 0)
-        search(t->box + 4 * t->root[c], t->segment + t->first[c], n, x, y, &least);
-    return sqrt(least);
+    search q = { .x = x, .y = y };
+    find(t, c, &q);
+    return sqrt(q.least);
 }
 
+bool il_nearest_find(const il_nearest *t, size_t c, double x, double y, double dx, double dy, il_near *out)
+{
+    search q = { .x = x, .y = y, .dx = dx, .dy = dy, .directed = true };
+    find(t, c, &q);
+    if (!q.best)
+        return false;
+    *out = (il_near){ q.best->id, nearest_t(q.best, x, y), sqrt(q.least) };
+    return true;
+}

@@ -4,12 +4,14 @@
 
 #include "base/status.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
-/* Segments in classes: end points and the number of the class. */
+/* Segments in classes: end points, the number of the class, and a number that
+ * il_nearest_find gives back. */
 typedef struct il_segment {
     double ax, ay, bx, by;
-    size_t class;
+    size_t class, id;
 } il_segment;
 
 /* A bounding-box tree for each class over segment[n], which it owns and has
@@ -30,5 +32,15 @@ void il_nearest_free(il_nearest *t);
 /* Distance of (X, Y) to the nearest segment of class C, in the unit of the
  * coordinates; infinity when the class is empty. */
 double il_nearest_distance(const il_nearest *t, size_t c, double x, double y);
+
+/* A place on a segment, t in [0, 1], and how far away it is. */
+typedef struct il_near {
+    size_t id;
+    double t, distance;
+} il_near;
+
+/* The place of class C nearest to (X, Y) on segments that turn less than a right
+ * angle from (DX, DY); false when there are none. */
+bool il_nearest_find(const il_nearest *t, size_t c, double x, double y, double dx, double dy, il_near *out);
 
 #endif

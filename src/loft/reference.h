@@ -1,22 +1,27 @@
 /* reference.h - the two slices of a slab in one plane, where phi makes them alike.
  *
- * The lower slice stays as it is; the upper is placed at phi(upper).  Only here
- * does the lofter meet phi: all that follows sees reference positions and, for
- * each of them, the real point that it stands for (loft.md 2). */
+ * The lower slice stays as it is; the upper is placed at phi(upper), and arcs
+ * that correspond are laid on each other (loft.md 2).  All that follows sees
+ * reference positions and, for each of them, the real point that it stands for;
+ * free points find their way back by inverse.h. */
 #ifndef IL_LOFT_REFERENCE_H
 #define IL_LOFT_REFERENCE_H
 
-#include "loft/section.h"
+#include "loft/phi.h"
 
 /* Both regions, as in IL_EDGE_LOWER | IL_EDGE_UPPER (overlay.h). */
 enum { IL_OUTSIDE_SOLID = 3 };
 
 /* One vertex of a reference ring: on edge STATION of its section at parameter t
- * (0: the station's node itself, else a reference-only point). */
+ * (0: the station's node itself, else a reference-only point).  at: the point
+ * itself in the lower plane, deformed but not laid on anything, which tells how
+ * near two points of different sides are in truth.  matched: the edge from here
+ * on is laid on one of the other side's. */
 typedef struct il_ref_vertex {
     double x, y;
     uint32_t station;
-    double t;
+    double t, at[2];
+    bool matched;
 } il_ref_vertex;
 
 /* The reference rings of one side: vertex[n]; edge i runs to next[i]. */
@@ -27,21 +32,33 @@ typedef struct il_ref_side {
 } il_ref_side;
 
 /* outside: what the rings lie in, nothing (0) or solid in both slices
- * (IL_OUTSIDE_SOLID), as for a group of holes. */
+ * (IL_OUTSIDE_SOLID), as for a group of holes.  deformed: phi is not the
+ * identity; fit then tells of its surroundings, or is null.  matched_length: of
+ * the lower side's matched edges. */
 typedef struct il_reference {
     const il_section *section[2];
     il_ref_side side[2];
     unsigned char outside;
+    bool deformed;
+    const il_fit *fit;
+    double matched_length;
 } il_reference;
 
-/* Reference rings for phi = identity (attempt B).  Matching by deformation
- * enters here and in il_reference_to_real, and nowhere else.  The sections are
- * borrowed and must outlive R. */
+/* Reference rings for phi = identity (attempt B).  The sections are borrowed
+ * and must outlive R. */
 il_status il_reference_build(il_reference *r, const il_section *lower, const il_section *upper, il_error *err);
-void il_reference_free(il_reference *r);
 
-/* psi_z(p) = (1 - z) p + z phi^-1(p): where a reference point P at height Z in
- * [0, 1] of the slab lies in the real plane. */
-void il_reference_to_real(const il_reference *r, const double p[2], double z, double out[2]);
+/* With the upper side at phi (attempt P): its edges bend where phi has rows, but
+ * for rows less than NEAR from a neighbour. */
+il_status il_reference_deform(il_reference *r, const il_section *lower, const il_section *upper,
+                              const il_phi *phi, double near, il_error *err);
+
+/* As il_reference_deform, with the arcs match[N] of PHI's pair laid on each other
+ * (attempt S), upper vertices less than NEAR from lower ones on these.  Arcs
+ * that cannot be laid down, alone or beside the others, are left out. */
+il_status il_reference_match(il_reference *r, const il_section *lower, const il_section *upper,
+                             const il_phi *phi, const uint32_t *match, size_t n, double near, il_error *err);
+
+void il_reference_free(il_reference *r);
 
 #endif

@@ -127,18 +127,30 @@ static bool add_centres(sheets *s)
     return true;
 }
 
-/* Lift all free points to their places in space. */
+/* Where free point F lies in space: psi_z(p) = (1 - z) p + z phi^-1(p). */
+static void lift(const sheets *s, const il_free_point *f, double xyz[3])
+{
+    const il_snapped *grid = s->b->o->snapped;
+    const double at[2] = { f->x, f->y };
+    double shift[2];
+    for (int k = 0; k < 2; k++)
+        xyz[k] = grid->origin[k] + grid->cell * at[k];
+    if (s->b->inverse) {
+        il_inverse_shift(s->b->inverse, at, shift);
+        xyz[0] += f->z * shift[0];
+        xyz[1] += f->z * shift[1];
+    }
+    for (int k = 0; k < 2 && s->b->options.round_float; k++)
+        xyz[k] = il_number_round_float(xyz[k]);
+    xyz[2] = il_builder_height(s->b, f->z);
+}
+
 static bool lift_free_points(sheets *s)
 {
-    const il_overlay *o = s->b->o;
     s->code = il_alloc(s->n_free, sizeof *s->code);
     for (size_t i = 0; s->code && i < s->n_free; i++) {
-        const il_free_point *f = &s->free[i];
-        double p[2] = { o->snapped->origin[0] + o->snapped->cell * f->x, o->snapped->origin[1] + o->snapped->cell * f->y };
-        double xyz[3] = { 0, 0, il_builder_height(s->b, f->z) };
-        il_reference_to_real(o->reference, p, f->z, xyz);
-        for (int k = 0; k < 2 && s->b->options.round_float; k++)
-            xyz[k] = il_number_round_float(xyz[k]);
+        double xyz[3];
+        lift(s, &s->free[i], xyz);
         s->code[i] = il_surface_add_inner(s->b->out, xyz);
         if (s->code[i] == UINT32_MAX)
             return false;

@@ -12,6 +12,9 @@ __extension__ typedef __int128 wide; /* products of two 54-bit differences */
 
 enum { MAX_ROUNDS = 24, LEAST_EXPONENT = -1022 }; /* below, 1 / cell overflows */
 static const size_t MAX_PAIRS = 20 * 1000 * 1000;
+/* A deformation that makes more candidates than this for each edge is wrong:
+ * measured are 2 to 12. */
+static const size_t MAX_PAIRS_DEFORMED = 200;
 
 /* A piece of a reference edge; the pieces of one edge are linked in order. */
 typedef struct piece { uint32_t a, b, next; } piece;
@@ -27,6 +30,10 @@ typedef struct snapper {
     il_keymap at;
     piece *piece; size_t n_pieces, cap_pieces;
     cut *cut; size_t n_cuts, cap_cuts;
+    size_t max_pairs;
+    size_t n_lower;           /* the first of the pieces are the lower side's edges */
+    bool whole, folded;       /* no edge was cut yet; two of one deformed side cross, which ends it */
+    bool deformed;
 } snapper;
 
 static const uint32_t NONE = UINT32_MAX;
@@ -194,6 +201,10 @@ static bool cut_pair(snapper *s, uint32_t p, uint32_t q)
         return false;
     if (s->n_cuts > before || sign(fa) * sign(fb) >= 0 || sign(ea) * sign(eb) >= 0)
         return true;
+    if (s->deformed && s->whole && (p < s->n_lower) == (q < s->n_lower)) {
+        s->folded = true;
+        return true;
+    }
     /* they cross at e.a + t (e.b - e.a), t = ea / (ea - eb) */
     long double t = (long double)ea / (long double)(ea - eb);
     int64_t x = o->x[e.a] + llrintl(t * (long double)(o->x[e.b] - o->x[e.a]));
@@ -223,8 +234,8 @@ static il_status find_cuts(snapper *s, il_error *err)
     if (!box)
         return il_fail_nomem(err);
     s->n_cuts = 0;
-    il_status st = il_box_pairs(box, s->n_pieces, MAX_PAIRS, &pair, &n_pairs, err);
-    for (size_t i = 0; st == IL_OK && i < n_pairs; i++)
+    il_status st = il_box_pairs(box, s->n_pieces, s->max_pairs, &pair, &n_pairs, err);
+    for (size_t i = 0; st == IL_OK && i < n_pairs && !s->folded; i++)
         if (!cut_pair(s, pair[2 * i], pair[2 * i + 1]))
             st = il_fail_nomem(err);
     il_free(pair);
@@ -346,7 +357,10 @@ static il_status is_injective(const il_snapped *o, const il_reference *r, bool *
 
 il_status il_snap(il_snapped *out, const il_reference *r, int exponent, bool *injective, il_error *err)
 {
-    snapper s = { out, IL_KEYMAP_INIT, NULL, 0, 0, NULL, 0, 0 };
+    size_t n_edges = r->side[0].n + r->side[1].n;
+    snapper s = { .out = out, .max_pairs = MAX_PAIRS, .n_lower = r->side[IL_LOWER].n, .deformed = r->deformed, .whole = true };
+    if (r->deformed && n_edges < MAX_PAIRS / MAX_PAIRS_DEFORMED)
+        s.max_pairs = 100000 + MAX_PAIRS_DEFORMED * n_edges;
     double low[2], high[2];
     il_status st = IL_OK;
     memset(out, 0, sizeof *out);
@@ -359,10 +373,13 @@ il_status il_snap(il_snapped *out, const il_reference *r, int exponent, bool *in
     *injective = true;
     for (int round = 0; st == IL_OK && *injective; round++) {
         st = find_cuts(&s, err);
-        if (st != IL_OK || s.n_cuts == 0)
+        if (s.folded)
+            *injective = false;
+        if (st != IL_OK || s.folded || s.n_cuts == 0)
             break;
         if (!apply_cuts(&s))
             st = il_fail_nomem(err);
+        s.whole = false;
         *injective = round < MAX_ROUNDS;
     }
     if (st == IL_OK && !collect_runs(&s, r))

@@ -8,6 +8,7 @@
 #include "base/zipper.h"
 #include "base/alloc.h"
 
+#include <math.h>
 #include <string.h>
 
 /* Chain ends and continuations: degree[p] counts the contour edges at p,
@@ -134,11 +135,23 @@ static bool list_vertex(walls *w, int side, size_t i)
     double xy[2];
     il_snapped_point(o->snapped, p, xy);
     *v = (il_zip_vertex){ xy[0], xy[1], il_builder_copy(w->b, side, p), i };
-    if (is_real(o, side, p)) { /* where it really lies, unsnapped */
+    if (is_real(o, side, p)) { /* where phi takes it, neither laid on anything nor snapped */
         const il_ref_vertex *r = &o->reference->side[side].vertex[o->pass[side][p].vertex];
-        v->x = r->x, v->y = r->y;
+        v->x = r->at[0], v->y = r->at[1];
     }
     return v->code != IL_NONE;
+}
+
+/* Add up the chain's matched edges. */
+static void measure(walls *w)
+{
+    const il_overlay *o = w->b->o;
+    for (size_t i = 0; i + 1 < w->n_chain; i++) {
+        const il_pass *pass = &o->pass[IL_LOWER][w->chain[i]];
+        const double *a = o->xy + 2 * w->chain[i], *b = o->xy + 2 * w->chain[i + 1];
+        if (o->reference->side[IL_LOWER].vertex[pass->vertex].matched)
+            w->b->out->walled += o->snapped->cell * hypot(b[0] - a[0], b[1] - a[1]);
+    }
 }
 
 static il_status emit_strip(walls *w, il_error *err)
@@ -174,6 +187,7 @@ static il_status build_chains(walls *w, bool from_nodes, il_error *err)
             return il_fail_nomem(err);
         if (!from_nodes)
             rotate_closed(w);
+        measure(w);
         st = emit_strip(w, err);
     }
     return st;

@@ -1,0 +1,315 @@
+#include "config.h"
+#include "base/alloc.h"
+#include "lofting.h"
+#include "region/clean.h"
+#include "stacks.h"
+#include "test.h"
+#include "warp.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double TURN = 6.283185307179586;
+
+/* ---- shapes ---- */
+
+static il_slice new_slice(double z)
+{
+    il_slice s = IL_SLICE_INIT;
+    s.z = z;
+    return s;
+}
+
+/* A ring of N points round (CX, CY); the radius swings by SWING, WAVES times. */
+static void add_star(il_slice *s, double cx, double cy, double radius, double swing, int waves, int n, bool hole)
+{
+    il_ring *r = il_slice_add_ring(s);
+    assert_non_null(r);
+    for (int i = 0; i < n; i++) {
+        double a = (hole ? -1 : 1) * TURN * i / n, rho = radius * (1 + swing * cos(waves * a));
+        assert_true(il_ring_add(r, cx + rho * cos(a), cy + rho * sin(a), 0));
+    }
+}
+
+static void add_circle(il_slice *s, double cx, double cy, double radius, int n)
+{
+    add_star(s, cx, cy, radius, 0, 0, n, false);
+}
+
+static void clean(il_slice *s)
+{
+    il_clean_options o = { .round_float = false };
+    assert_int_equal(il_slice_clean(s, &o, NULL, NULL, NULL), IL_OK);
+}
+
+static keeper loft_two(il_slice slice[2], il_pair *pair)
+{
+    il_loft_options o = IL_LOFT_OPTIONS_INIT;
+    il_error err = IL_ERROR_INIT;
+    keeper k = new_keeper();
+    if (loft_pairs(&k, slice, 2, pair, &o, &err) != IL_OK)
+        fail_msg("%s", err.text);
+    assert_sound(&k, "two", 0);
+    free_slices(slice, 2);
+    return k;
+}
+
+static bool settled_by(const keeper *k, il_attempt attempt)
+{
+    double all = k->facts.length_by[0] + k->facts.length_by[1] + k->facts.length_by[2];
+    return k->facts.length_alone == 0 && k->facts.length_by[attempt] == all;
+}
+
+/* ---- one group ---- */
+
+static void a_cylinder_sheared_by_diameters_is_one_piece_of_the_prisms_volume(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    add_circle(&slice[0], 0, 0, 1, 40);
+    add_circle(&slice[1], 7, 2, 1, 40);
+    clean(&slice[0]), clean(&slice[1]);
+    double area = il_slice_area(&slice[0]);
+    warp w = { warp_affine, { 1, 0, 0, 1, -7, -2 }, 1 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    warp_match_rings(&p, 0, 3, 0, 3);
+    keeper k = loft_two(slice, &p);
+    assert_int_equal(k.facts.components, 1);
+    assert_true(fabs(k.facts.volume - area) < 1e-9);
+    assert_true(settled_by(&k, IL_ATTEMPT_S));
+    il_mesh_free(&k.mesh);
+}
+
+static void without_phi_it_is_two_caps(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    add_circle(&slice[0], 0, 0, 1, 40);
+    add_circle(&slice[1], 7, 2, 1, 40);
+    clean(&slice[0]), clean(&slice[1]);
+    keeper k = loft_two(slice, NULL);
+    assert_int_equal(k.facts.components, 2);
+    assert_true(settled_by(&k, IL_ATTEMPT_B));
+    il_mesh_free(&k.mesh);
+}
+
+/* phi turns back what was turned by 50 degrees: the surface twists, and is
+ * thinner in the middle than the prism, as ruled surfaces are. */
+static void a_star_that_turns_keeps_its_arms(void **state)
+{
+    (void)state;
+    double turn = 20 * TURN / 360;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    add_star(&slice[0], 0, 0, 10, .4, 5, 100, false);
+    add_star(&slice[1], 0, 0, 10, .4, 5, 100, false);
+    for (size_t i = 0; i < slice[1].ring[0].n; i++) {
+        double *p = slice[1].ring[0].xy + 2 * i, x = p[0], y = p[1];
+        p[0] = cos(turn) * x - sin(turn) * y;
+        p[1] = sin(turn) * x + cos(turn) * y;
+    }
+    clean(&slice[0]), clean(&slice[1]);
+    double area = il_slice_area(&slice[0]);
+    warp w = { warp_affine, { cos(turn), sin(turn), -sin(turn), cos(turn), 0, 0 }, 0 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    warp_match_rings(&p, 0, 0, 0, 0);
+    keeper k = loft_two(slice, &p);
+    assert_true(settled_by(&k, IL_ATTEMPT_S));
+    assert_int_equal(k.facts.triangles, 2 * 100 + 2 * 98);
+    assert_true(k.facts.volume < area && k.facts.volume > .93 * area);
+    il_mesh_free(&k.mesh);
+}
+
+static void a_tube_that_slants_keeps_its_bore(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    for (int i = 0; i < 2; i++) {
+        add_star(&slice[i], 9 * i, 0, 3, .1, 3, 60, false);
+        add_star(&slice[i], 9 * i, 0, 2, .1, 4, 50, true);
+        clean(&slice[i]);
+    }
+    double area = il_slice_area(&slice[0]);
+    warp w = { warp_affine, { 1, 0, 0, 1, -9, 0 }, 2 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    warp_match_rings(&p, 0, 0, 0, 0);
+    warp_match_rings(&p, 1, 0, 1, 0);
+    keeper k = loft_two(slice, &p);
+    assert_int_equal(k.facts.components, 1);
+    assert_int_equal(k.facts.genus, 1);
+    assert_true(settled_by(&k, IL_ATTEMPT_S));
+    assert_true(fabs(k.facts.volume - area) < 1e-6);
+    il_mesh_free(&k.mesh);
+}
+
+static void without_matched_arcs_phi_alone_does_it(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    add_star(&slice[0], 0, 0, 10, .2, 3, 70, false);
+    add_star(&slice[1], 30, 5, 9, .2, 3, 60, false);
+    clean(&slice[0]), clean(&slice[1]);
+    warp w = { warp_affine, { 1, 0, 0, 1, -30, -5 }, 1 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    keeper k = loft_two(slice, &p);
+    assert_int_equal(k.facts.components, 1);
+    assert_true(settled_by(&k, IL_ATTEMPT_P));
+    il_mesh_free(&k.mesh);
+}
+
+/* ---- groups ---- */
+
+static void two_rings_that_slant_past_each_other_are_two_pieces(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    add_circle(&slice[0], 0, 0, 1, 24);
+    add_circle(&slice[0], 5, 0, 1, 24);
+    add_circle(&slice[1], 5, 4, 1, 24);
+    add_circle(&slice[1], 10, 4, 1, 24);
+    clean(&slice[0]), clean(&slice[1]);
+    static const uint32_t of[2] = { 0, 1 };
+    warp w = { warp_affine, { 1, 0, 0, 1, -5, -4 }, 0 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    warp_regroup(&p, of, 2, of, 2, 2);
+    warp_match_rings(&p, 0, 0, 0, 0);
+    warp_match_rings(&p, 1, 0, 1, 0);
+    keeper k = loft_two(slice, &p);
+    assert_int_equal(k.facts.components, 2);
+    assert_true(settled_by(&k, IL_ATTEMPT_S));
+    il_mesh_free(&k.mesh);
+}
+
+/* Each of two rings goes to the other's place: the prisms cross. */
+static void groups_whose_surfaces_cross_are_joined(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    for (int i = 0; i < 2; i++) {
+        add_circle(&slice[i], 0, 0, 1, 24);
+        add_circle(&slice[i], 5, 0, 1, 24);
+        clean(&slice[i]);
+    }
+    static const uint32_t lower[2] = { 0, 1 }, upper[2] = { 1, 0 };
+    warp w = { warp_affine, { 1, 0, 0, 1, 0, 0 }, 0 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    for (size_t i = 0; i < p.n_phi; i++)
+        p.phi[i].x += p.phi[i].at.ring == 0 ? 5 : -5;
+    warp_regroup(&p, lower, 2, upper, 2, 2);
+    warp_match_rings(&p, 0, 0, 1, 0);
+    warp_match_rings(&p, 1, 0, 0, 0);
+    double area = il_slice_area(&slice[0]);
+    keeper k = loft_two(slice, &p);
+    assert_int_equal(k.facts.components, 2);
+    assert_true(settled_by(&k, IL_ATTEMPT_B));
+    assert_true(fabs(k.facts.volume - area) < 1e-9);
+    il_mesh_free(&k.mesh);
+}
+
+/* A ring in no group ends under a cap, although one lies over it. */
+static void rings_in_no_group_are_capped(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    for (int i = 0; i < 2; i++) {
+        add_circle(&slice[i], 0, 0, 3, 40);
+        add_circle(&slice[i], 20, 0, 3, 40);
+    }
+    add_star(&slice[0], 0, 0, 1, 0, 0, 20, true); /* a hole that ends */
+    clean(&slice[0]), clean(&slice[1]);
+    warp w = { warp_affine, { 1, 0, 0, 1, 0, 0 }, 0 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    il_group *g = &p.group[0];
+    for (uint32_t r = 0; r < 3; r++)
+        if (il_ring_area2(&slice[0].ring[r]) > 0 && slice[0].ring[r].xy[0] < 10)
+            g->lower[0] = r;
+    g->n_lower = g->n_upper = 1;
+    double both = il_slice_area(&slice[1]), gone = fabs(il_ring_area2(&slice[1].ring[1])) / 2;
+    keeper k = loft_two(slice, &p);
+    /* the prism with a dome hollowed out below, and two domes that do not meet */
+    assert_int_equal(k.facts.components, 3);
+    assert_int_equal(k.facts.genus, 0);
+    assert_true(k.facts.length_alone > 0 && k.facts.length_by[IL_ATTEMPT_P] + k.facts.length_by[IL_ATTEMPT_S] > 0);
+    assert_true(k.facts.volume > both - gone && k.facts.volume < both);
+    il_mesh_free(&k.mesh);
+}
+
+/* ---- phi that is wrong ---- */
+
+static void mirror(const double p[2], const double *a, double out[2])
+{
+    (void)a;
+    out[0] = -p[0], out[1] = p[1];
+}
+
+static void fold(const double p[2], const double *a, double out[2])
+{
+    out[0] = a[0] * p[0] * p[0], out[1] = p[1];
+}
+
+static void scatter(const double p[2], const double *a, double out[2])
+{
+    uint64_t seed = (uint64_t)(int64_t)(1e6 * p[0]) * 7919 + (uint64_t)(int64_t)(1e6 * p[1]);
+    out[0] = a[0] * (stack_uniform(&seed) - .5);
+    out[1] = a[0] * (stack_uniform(&seed) - .5);
+}
+
+static void collapse(const double p[2], const double *a, double out[2])
+{
+    (void)p;
+    out[0] = a[0], out[1] = a[1];
+}
+
+static void what_phi_has_wrong_falls_to_the_identity(void **state)
+{
+    (void)state;
+    const warp wrong[] = {
+        { mirror, { 0 }, 1 }, { fold, { 1e-2 }, 1 }, { fold, { 1e6 }, 0 }, { scatter, { 30 }, 1 }, { scatter, { 1e12 }, 0 },
+        { scatter, { 1e-12 }, 0 }, { collapse, { 1, 2 }, 1 }, { collapse, { 1e14, -1e14 }, 0 },
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        for (int matched = 0; matched < 2; matched++) {
+            il_slice slice[2] = { new_slice(0), new_slice(1) };
+            add_star(&slice[0], 1, 0, 10, .2, 3, 70, false);
+            add_star(&slice[1], 0, 1, 9, .2, 3, 60, false);
+            clean(&slice[0]), clean(&slice[1]);
+            il_pair p = warp_pair(&slice[0], &slice[1], &wrong[i]);
+            if (matched)
+                warp_match_rings(&p, 0, 0, 0, 0);
+            keeper k = loft_two(slice, &p);
+            if (!matched)
+                assert_true(settled_by(&k, IL_ATTEMPT_B));
+            il_mesh_free(&k.mesh);
+        }
+}
+
+/* What is nowhere near the lower slice is a map all the same, and its caps meet nothing. */
+static void a_map_to_far_away_makes_two_caps(void **state)
+{
+    (void)state;
+    il_slice slice[2] = { new_slice(0), new_slice(1) };
+    add_circle(&slice[0], 0, 0, 5, 40);
+    add_circle(&slice[1], 0, 0, 4, 40);
+    clean(&slice[0]), clean(&slice[1]);
+    warp w = { warp_affine, { 1, 0, 0, 1, 1000, 0 }, 0 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    keeper k = loft_two(slice, &p);
+    il_mesh_free(&k.mesh);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_cylinder_sheared_by_diameters_is_one_piece_of_the_prisms_volume),
+        cmocka_unit_test(without_phi_it_is_two_caps),
+        cmocka_unit_test(a_star_that_turns_keeps_its_arms),
+        cmocka_unit_test(a_tube_that_slants_keeps_its_bore),
+        cmocka_unit_test(without_matched_arcs_phi_alone_does_it),
+        cmocka_unit_test(two_rings_that_slant_past_each_other_are_two_pieces),
+        cmocka_unit_test(groups_whose_surfaces_cross_are_joined),
+        cmocka_unit_test(rings_in_no_group_are_capped),
+        cmocka_unit_test(what_phi_has_wrong_falls_to_the_identity),
+        cmocka_unit_test(a_map_to_far_away_makes_two_caps),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

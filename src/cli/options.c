@@ -329,7 +329,7 @@ const il_option il_option_table[] = {
 void il_options_init(il_options *o)
 {
     *o = (il_options){ .action = IL_ACTION_RUN, .verb = IL_VERB_CONVERT, .cap = IL_CAP_FLAT,
-                       .matcher = IL_MATCHER_NONE, .progress = IL_WHEN_AUTO };
+                       .matcher = IL_MATCHER_FFD, .progress = IL_WHEN_AUTO };
     o->read = (il_read_options)IL_READ_OPTIONS_INIT;
 }
 

@@ -157,6 +157,59 @@ static void without_matched_arcs_phi_alone_does_it(void **state)
     il_mesh_free(&k.mesh);
 }
 
+/* ---- slices that correspond ---- */
+
+/* LOWER is phi of a star resampled, UPPER the star; both have N and M vertices
+ * and a hole; a little noise on the lower. */
+static void make_corresponding(il_slice slice[2], const warp *w, size_t n, size_t m, double noise, uint64_t *s)
+{
+    double swing = .3 * stack_uniform(s);
+    int waves = 2 + (int)(stack_random(s) % 6);
+    for (int k = 0; k < 2; k++) {
+        int count = (int)(k ? m : n);
+        slice[k] = new_slice(k);
+        add_star(&slice[k], 3, 4, 10, swing, waves, count, false);
+        add_star(&slice[k], 3, 4, 4, swing, waves, 5 + count / 2, true);
+    }
+    for (size_t r = 0; r < 2; r++)
+        for (size_t i = 0; i < slice[0].ring[r].n; i++) {
+            double *p = slice[0].ring[r].xy + 2 * i, to[2];
+            w->map(p, w->a, to);
+            p[0] = to[0] + noise * (stack_uniform(s) - .5);
+            p[1] = to[1] + noise * (stack_uniform(s) - .5);
+        }
+    clean(&slice[0]), clean(&slice[1]);
+}
+
+/* The outer ring's number and the hole's. */
+static uint32_t ring_of(const il_slice *s, bool hole)
+{
+    return (il_ring_area2(&s->ring[0]) < 0) == hole ? 0 : 1;
+}
+
+static void slices_that_correspond_are_settled_by_their_arcs(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 100; seed++) {
+        uint64_t s = seed;
+        il_slice slice[2];
+        warp w = { warp_wavy, { 40 * stack_uniform(&s), 0, 1.5 * stack_uniform(&s), .3 }, 3 };
+        size_t n = 20 + stack_random(&s) % 200, m = 20 + stack_random(&s) % 200;
+        make_corresponding(slice, &w, n, m, seed % 2 ? .02 : 0, &s);
+        il_pair p = warp_pair(&slice[0], &slice[1], &w);
+        for (int hole = 0; hole < 2; hole++)
+            warp_match_rings(&p, ring_of(&slice[0], hole), 0, ring_of(&slice[1], hole), 0);
+        keeper k = loft_two(slice, &p);
+        if (!settled_by(&k, IL_ATTEMPT_S))
+            fail_msg("seed %llu", (unsigned long long)seed);
+        assert_int_equal(k.facts.components, 1);
+        assert_int_equal(k.facts.genus, 1);
+        /* no vertices but the contours': lids and walls */
+        assert_int_equal(k.facts.vertices, k.facts.points);
+        il_mesh_free(&k.mesh);
+    }
+}
+
 /* ---- groups ---- */
 
 static void two_rings_that_slant_past_each_other_are_two_pieces(void **state)
@@ -297,6 +350,151 @@ static void a_map_to_far_away_makes_two_caps(void **state)
     il_mesh_free(&k.mesh);
 }
 
+/* ---- anything ---- */
+
+static double between(uint64_t *s, double low, double high)
+{
+    return low + (high - low) * stack_uniform(s);
+}
+
+static uint32_t below(uint64_t *s, size_t n)
+{
+    return (uint32_t)(stack_random(s) % n);
+}
+
+static warp random_warp(uint64_t *s)
+{
+    static void (*const maps[])(const double *, const double *, double *) = {
+        warp_affine, warp_affine, warp_wavy, warp_wavy, warp_wavy, fold, scatter, collapse, mirror };
+    warp w = { maps[below(s, below(s, 8) == 0 ? 9 : 5)], { 0 }, below(s, 3) };
+    if (w.map == warp_affine) {
+        double turn = between(s, -.5, .5), grow = between(s, .7, 1.4), shift = below(s, 2) ? 0 : between(s, -10, 10);
+        double a[6] = { grow * cos(turn), -sin(turn), grow * sin(turn), cos(turn), shift, -shift / 2 };
+        memcpy(w.a, a, sizeof a);
+    } else if (w.map == warp_wavy) {
+        double a[4] = { between(s, -5, 5), between(s, -5, 5), between(s, 0, 1.5), between(s, 0, 1) };
+        memcpy(w.a, a, sizeof a);
+    } else {
+        w.a[0] = between(s, 0, 20);
+    }
+    return w;
+}
+
+static il_place random_place(const il_slice *slice, uint32_t r, uint64_t *s)
+{
+    return (il_place){ r, below(s, slice->ring[r].n), below(s, 2) ? 0 : stack_uniform(s) };
+}
+
+/* Arcs without any sense, some of them ends to ends. */
+static void add_random_matches(il_pair *p, const il_slice slice[2], uint64_t *s)
+{
+    if (slice[0].n == 0 || slice[1].n == 0)
+        return;
+    for (uint32_t n = below(s, 5); n > 0; n--) {
+        uint32_t r = below(s, slice[0].n), u = below(s, slice[1].n);
+        il_arc low = { random_place(&slice[0], r, s), random_place(&slice[0], r, s) };
+        il_arc high = { random_place(&slice[1], u, s), random_place(&slice[1], u, s) };
+        if (p->n_matches > 0 && below(s, 2)) { /* goes on where the last one ended, on one side or both */
+            if (below(s, 3))
+                low.from = p->match[p->n_matches - 1].lower.to, low.to.ring = low.from.ring;
+            if (below(s, 3))
+                high.from = p->match[p->n_matches - 1].upper.to, high.to.ring = high.from.ring;
+        }
+        if (below(s, 3) == 0)
+            low.to = low.from;
+        if (below(s, 3) == 0)
+            high.to = high.from;
+        warp_match_arcs(p, low, high);
+    }
+}
+
+/* Every ring matched with one of the other slice, all of it or two halves. */
+static void add_ring_matches(il_pair *p, const il_slice slice[2], uint64_t *s)
+{
+    for (uint32_t r = 0; r < slice[0].n && r < slice[1].n; r++) {
+        size_t n = slice[0].ring[r].n, m = slice[1].ring[r].n;
+        if (below(s, 2)) {
+            warp_match_rings(p, r, below(s, n), r, below(s, m));
+            continue;
+        }
+        il_place a = { r, 0, 0 }, b = { r, (uint32_t)n / 2, .25 }, c = { r, 0, 0 }, d = { r, (uint32_t)m / 2, .75 };
+        warp_match_arcs(p, (il_arc){ a, b }, (il_arc){ c, d });
+        if (below(s, 2))
+            warp_match_arcs(p, (il_arc){ b, a }, (il_arc){ d, c });
+    }
+}
+
+static void regroup_at_random(il_pair *p, const il_slice slice[2], uint64_t *s)
+{
+    uint32_t of[2][64];
+    size_t n = 1 + below(s, 3);
+    if (slice[0].n > 64 || slice[1].n > 64)
+        return;
+    for (size_t k = 0; k < 2; k++)
+        for (size_t r = 0; r < slice[k].n; r++)
+            of[k][r] = below(s, n);
+    warp_regroup(p, of[0], slice[0].n, of[1], slice[1].n, n);
+    if (below(s, 2)) /* some rings in none */
+        p->group[0].n_lower /= 2;
+}
+
+static void random_pairs(const il_slice *slice, size_t n, il_pair *pair, uint64_t seed)
+{
+    for (size_t i = 0; i + 1 < n; i++) {
+        uint64_t s = seed * 31 + i;
+        warp w = random_warp(&s);
+        pair[i] = warp_pair(&slice[i], &slice[i + 1], &w);
+        if (below(&s, 3) == 0)
+            regroup_at_random(&pair[i], &slice[i], &s);
+        switch (below(&s, 3)) {
+        case 0: add_random_matches(&pair[i], &slice[i], &s); break;
+        case 1: add_ring_matches(&pair[i], &slice[i], &s); break;
+        default: break;
+        }
+    }
+}
+
+static uint64_t n_seeds(void)
+{
+    return getenv("ISOLOFT_LONG") ? 3000 : 30;
+}
+
+static void loft_at_random(stack_kind kind, uint64_t seed, il_loft_options *o)
+{
+    static const int threads[] = { 1, 2, 3 };
+    static const char *const kinds[] = { "equal", "cells", "ulp cells", "nano cells", "unrelated", "frame", "sliding",
+                                         "halves", "ulp copies", "tangled" };
+    il_slice slice[6];
+    il_pair pair[5];
+    size_t n = stack_make(kind, seed, slice);
+    keeper k[3] = { new_keeper(), new_keeper(), new_keeper() };
+    for (size_t i = 0; i < n; i++)
+        clean(&slice[i]);
+    for (size_t i = 0; i < (seed % 8 == 0 ? 3 : 1); i++) {
+        il_error err = IL_ERROR_INIT;
+        random_pairs(slice, n, pair, seed);
+        o->threads = threads[i];
+        if (loft_pairs(&k[i], slice, n, pair, o, &err) != IL_OK)
+            fail_msg("kind %d seed %llu: %s", (int)kind, (unsigned long long)seed, err.text);
+        assert_sound(&k[i], kinds[kind], seed);
+        if (i > 0)
+            assert_same_mesh(&k[0].mesh, &k[i].mesh);
+    }
+    for (int i = 0; i < 3; i++)
+        il_mesh_free(&k[i].mesh);
+    free_slices(slice, n);
+}
+
+static void whatever_the_pairs_say_the_mesh_is_sound_for_any_threads(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= n_seeds(); seed++)
+        for (int kind = 0; kind < STACK_N_KINDS; kind++) {
+            il_loft_options o = IL_LOFT_OPTIONS_INIT;
+            loft_at_random((stack_kind)kind, seed, &o);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -305,11 +503,13 @@ int main(void)
         cmocka_unit_test(a_star_that_turns_keeps_its_arms),
         cmocka_unit_test(a_tube_that_slants_keeps_its_bore),
         cmocka_unit_test(without_matched_arcs_phi_alone_does_it),
+        cmocka_unit_test(slices_that_correspond_are_settled_by_their_arcs),
         cmocka_unit_test(two_rings_that_slant_past_each_other_are_two_pieces),
         cmocka_unit_test(groups_whose_surfaces_cross_are_joined),
         cmocka_unit_test(rings_in_no_group_are_capped),
         cmocka_unit_test(what_phi_has_wrong_falls_to_the_identity),
         cmocka_unit_test(a_map_to_far_away_makes_two_caps),
+        cmocka_unit_test(whatever_the_pairs_say_the_mesh_is_sound_for_any_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -154,6 +154,35 @@ static void measure(walls *w)
     }
 }
 
+/* Does a strip round a ring go all the way along one side from one vertex of the
+ * other?  Then the edge where it begins to do so is also the one where it ends,
+ * and the ring is pinched there. */
+static bool is_pinched(const walls *w, const unsigned char *step)
+{
+    size_t run[2] = { 0, 0 };
+    if (w->chain[0] != w->chain[w->n_chain - 1])
+        return false;
+    for (size_t k = 0; k < w->n_list[0] + w->n_list[1] - 2; k++) {
+        run[step[k]]++;
+        run[!step[k]] = 0;
+        if (run[step[k]] == w->n_list[step[k]] - 1)
+            return true;
+    }
+    return false;
+}
+
+/* The strip that joins vertices in the order of the chain. */
+static void follow_order(const walls *w, unsigned char *step)
+{
+    size_t i = 0, j = 0;
+    for (size_t k = 0; k < w->n_list[0] + w->n_list[1] - 2; k++) {
+        bool upper = i + 1 == w->n_list[0] ||
+                     (j + 1 < w->n_list[1] && w->list[1][j + 1].place < w->list[0][i + 1].place);
+        step[k] = upper;
+        *(upper ? &j : &i) += 1;
+    }
+}
+
 static il_status emit_strip(walls *w, il_error *err)
 {
     unsigned char *step = NULL;
@@ -164,6 +193,8 @@ static il_status emit_strip(walls *w, il_error *err)
                 return il_fail_nomem(err);
     size_t n = w->n_list[0] + w->n_list[1] - 2, i = 0, j = 0;
     il_status st = il_zip(w->list[0], w->n_list[0], w->list[1], w->n_list[1], &step, err);
+    if (st == IL_OK && is_pinched(w, step))
+        follow_order(w, step);
     for (size_t k = 0; st == IL_OK && k < n; k++) {
         uint32_t low = w->list[0][i].code, high = w->list[1][j].code;
         uint32_t next = step[k] ? w->list[1][++j].code : w->list[0][++i].code;

@@ -25,7 +25,9 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { PEER_SEEDS = 3 }; /* neighbouring slices that elastix gets; each takes it seconds */
+/* Pairs of neighbouring slices that elastix gets, and how often, for limits hang on
+ * them; the named pairs it gets once.  Each run takes it seconds. */
+enum { PEER_SEEDS = 3, PEER_RUNS = 3 };
 
 typedef struct options {
     bool family[PAIRS_N_FAMILIES];
@@ -125,14 +127,20 @@ static void solve_often(il_ffd *f, const pairs_pair *p, uint32_t runs, il_fit *f
     }
 }
 
-static void try_peer(const pairs_pair *p, match_result *r)
+/* The least time of RUNS; the result is the same each time. */
+static void try_peer(const pairs_pair *p, int runs, match_result *r)
 {
-    peer_result peer;
-    if (peer_match(p, &peer)) {
-        r->has_peer = true;
-        r->peer = (match_figures){ .ms = 1e3 * peer.processor_s, .is = judge(p, &peer.phi), .steps = 1 };
+    for (int k = 0; k < runs; k++) {
+        peer_result peer;
+        if (peer_match(p, &peer)) {
+            double ms = 1e3 * peer.processor_s;
+            if (!r->has_peer)
+                r->peer = (match_figures){ .ms = ms, .is = judge(p, &peer.phi), .steps = 1 };
+            r->peer.ms = fmin(r->peer.ms, ms);
+            r->has_peer = true;
+        }
+        peer_free(&peer);
     }
-    peer_free(&peer);
 }
 
 static match_result measure(il_ffd *f, pairs_family family, uint32_t seed, uint32_t runs, bool with_peer)
@@ -151,7 +159,7 @@ static match_result measure(il_ffd *f, pairs_family family, uint32_t seed, uint3
     r.said_distortion = fit.distortion;
     il_fit_free(&fit);
     if (with_peer)
-        try_peer(&p, &r);
+        try_peer(&p, family == PAIRS_NAMED ? 1 : PEER_RUNS, &r);
     return r;
 }
 
@@ -201,7 +209,10 @@ static void print_conditions(const options *o, bool has_peer)
     printf("solved: both mean residuals below 0.25 px, no fold;  up: phi(upper) to lower, down: lower to phi(upper)\n");
     if (load > (double)processors)
         printf("the machine is busy: load %.1f on %ld processors; times are too long\n", load, processors);
-    if (!has_peer && !o->no_peer)
+    if (has_peer)
+        printf("elastix on distance maps of the same outlines, one thread, start included: neighbouring slices best of %d runs, "
+               "named pairs one run\n", PEER_RUNS);
+    else if (!o->no_peer)
         puts("elastix is not installed: no ratio");
     putchar('\n');
     fflush(stdout);

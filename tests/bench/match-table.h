@@ -31,8 +31,7 @@ void match_print_csv(const match_result *r, size_t n);
 /* A row for each family, then one for each named pair and whatever elastix tried. */
 void match_print_tables(const match_result *r, size_t n);
 
-/* Whether the figures are what they should be, in words; false when they are not.
- * Where only time is beyond a limit, a ratio to elastix stands in: machines differ. */
+/* Whether the figures are what they should be, in words; false when they are not. */
 bool match_check_limits(const match_result *r, size_t n);
 
 #endif

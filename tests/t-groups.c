@@ -456,7 +456,7 @@ static void random_pairs(const il_slice *slice, size_t n, il_pair *pair, uint64_
 
 static uint64_t n_seeds(void)
 {
-    return getenv("ISOLOFT_LONG") ? 3000 : 30;
+    return getenv("ISOLOFT_LONG") ? 600 : 30;
 }
 
 static void loft_at_random(stack_kind kind, uint64_t seed, il_loft_options *o)

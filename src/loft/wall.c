@@ -154,30 +154,26 @@ static void measure(walls *w)
     }
 }
 
-/* Does a strip round a ring go all the way along one side from one vertex of the
- * other?  Then the edge where it begins to do so is also the one where it ends,
- * and the ring is pinched there. */
+/* Does a strip round a ring first go all along one side, then all along the other,
+ * wherever it begins?  Then the edge where it changes over is also the one where
+ * it changes back, and the ring is pinched there. */
 static bool is_pinched(const walls *w, const unsigned char *step)
 {
-    size_t run[2] = { 0, 0 };
-    if (w->chain[0] != w->chain[w->n_chain - 1])
-        return false;
-    for (size_t k = 0; k < w->n_list[0] + w->n_list[1] - 2; k++) {
-        run[step[k]]++;
-        run[!step[k]] = 0;
-        if (run[step[k]] == w->n_list[step[k]] - 1)
-            return true;
-    }
-    return false;
+    size_t n = w->n_list[0] + w->n_list[1] - 2, changes = 0;
+    for (size_t k = 0; k < n; k++)
+        changes += step[k] != step[k + 1 < n ? k + 1 : 0];
+    return changes <= 2 && w->chain[0] == w->chain[w->n_chain - 1];
 }
 
-/* The strip that joins vertices in the order of the chain. */
-static void follow_order(const walls *w, unsigned char *step)
+/* Fill STEP in the order of the chain, or (BY_TURNS) as the counts of vertices
+ * have it, which never pinches a ring of three and more on either side. */
+static void fill_steps(const walls *w, bool by_turns, unsigned char *step)
 {
-    size_t i = 0, j = 0;
-    for (size_t k = 0; k < w->n_list[0] + w->n_list[1] - 2; k++) {
-        bool upper = i + 1 == w->n_list[0] ||
-                     (j + 1 < w->n_list[1] && w->list[1][j + 1].place < w->list[0][i + 1].place);
+    size_t i = 0, j = 0, last_i = w->n_list[0] - 1, last_j = w->n_list[1] - 1;
+    for (size_t k = 0; k < last_i + last_j; k++) {
+        bool upper = i == last_i;
+        if (i < last_i && j < last_j)
+            upper = by_turns ? (j + 1) * last_i < (i + 1) * last_j : w->list[1][j + 1].place < w->list[0][i + 1].place;
         step[k] = upper;
         *(upper ? &j : &i) += 1;
     }
@@ -193,8 +189,8 @@ static il_status emit_strip(walls *w, il_error *err)
                 return il_fail_nomem(err);
     size_t n = w->n_list[0] + w->n_list[1] - 2, i = 0, j = 0;
     il_status st = il_zip(w->list[0], w->n_list[0], w->list[1], w->n_list[1], &step, err);
-    if (st == IL_OK && is_pinched(w, step))
-        follow_order(w, step);
+    for (int by_turns = 0; st == IL_OK && by_turns < 2 && is_pinched(w, step); by_turns++)
+        fill_steps(w, by_turns, step);
     for (size_t k = 0; st == IL_OK && k < n; k++) {
         uint32_t low = w->list[0][i].code, high = w->list[1][j].code;
         uint32_t next = step[k] ? w->list[1][++j].code : w->list[0][++i].code;

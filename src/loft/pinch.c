@@ -96,6 +96,16 @@ static bool split_leaf(il_surface *s, const leaf *l, uint32_t middle)
     return il_surface_add_triangle(s, middle, to, apex);
 }
 
+/* Note where the edge of leaf L ends: fans may meet in nothing but these points. */
+static bool note_ends(il_surface *s, const leaf *l)
+{
+    if (!il_grow(&s->pinched, &s->cap_pinched, s->n_pinched + 2, sizeof *s->pinched))
+        return false;
+    s->pinched[s->n_pinched++] = l->a;
+    s->pinched[s->n_pinched++] = l->b;
+    return true;
+}
+
 /* The N leaves of one edge by rising angle: a half-edge against the axis has
  * the solid ahead of it, one along the axis behind it.  Join each of the first
  * kind to the next of the second. */
@@ -103,6 +113,8 @@ static il_status split_edge(il_surface *s, const il_section *lower, const il_sec
                             const leaf *l, size_t n, il_error *err)
 {
     double a[3], b[3], middle[3];
+    if (!note_ends(s, l))
+        return il_fail_nomem(err);
     il_surface_position(s, lower, upper, l->a, a);
     il_surface_position(s, lower, upper, l->b, b);
     for (int k = 0; k < 3; k++)

@@ -10,6 +10,7 @@ void il_surface_free(il_surface *s)
     il_free(s->inner);
     il_free(s->insertion[0]);
     il_free(s->insertion[1]);
+    il_free(s->pinched);
     *s = (il_surface)IL_SURFACE_INIT;
 }
 

@@ -15,11 +15,13 @@ enum { IL_INNER = 2 };
 /* tri[3*n_triangles]: codes, outward by the right-hand rule.  inner[3*n_inner]:
  * x y z.  insertion[side][k] will be node n_nodes + k of that side's section,
  * with n_nodes as it was when the surface was built.  walled: the length of
- * matched edges that walls stand on, in the reference plane. */
+ * matched edges that walls stand on, in the reference plane.  pinched: vertices
+ * at which more than two triangles shared an edge, before it was split. */
 typedef struct il_surface {
     uint32_t *tri;               size_t n_triangles, cap_triangles;
     double *inner;               size_t n_inner, cap_inner;
     il_split *insertion[2];  size_t n_insertions[2], cap_insertions[2];
+    uint32_t *pinched;       size_t n_pinched, cap_pinched;
     double walled;
 } il_surface;
 

@@ -3,7 +3,8 @@
  * The certificate says that each contour edge bounds one triangle below and one
  * above the section.  So a node that one ring passes once has one fan of
  * triangles on either side, and they close to an umbrella; only where rings
- * touch can there be several, and only such nodes are walked. */
+ * touch can there be several, or at an edge that more than two triangles shared,
+ * and only such nodes are walked. */
 #include "config.h"
 #include "loft/pinch.h"
 #include "base/alloc.h"
@@ -41,6 +42,14 @@ static bool find_touching(finder *f, bool *any)
         unsigned char *n = &f->touching[s->node_at[i]];
         *any |= *n == 1;
         *n = (unsigned char)(*n < 2 ? *n + 1 : 2);
+    }
+    for (int c = 0; f->touching && c < 2; c++) {
+        const il_surface *surface = f->collar[c].surface;
+        for (size_t i = 0; surface && i < surface->n_pinched; i++)
+            if (IL_CODE_WHERE(surface->pinched[i]) == (uint32_t)f->collar[c].side) {
+                f->touching[IL_CODE_INDEX(surface->pinched[i])] = 2;
+                *any = true;
+            }
     }
     return f->touching != NULL;
 }

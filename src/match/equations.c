@@ -67,22 +67,10 @@ il_status il_equations_reserve(il_equations *e, size_t n, size_t n_target, const
 
 /* ---- the blocks ---- */
 
-/* Does moving sample K face the way of the contour that it is drawn to?  The
- * gradient of Phi points inwards. */
-static inline bool faces_target(const il_equations *e, const il_samples *moved, size_t k)
-{
-    float gx = e->gx[k], gy = e->gy[k], along = -(gx * moved->nx[k] + gy * moved->ny[k]);
-    return along > IL_NORMALS_AGREE * sqrtf(gx * gx + gy * gy);
-}
-
-static void add_forward(il_equations *e, const il_samples *moved, bool loose, il_misfit *m)
+static void add_forward(il_equations *e, il_misfit *m)
 {
     float w = 1 / (float)e->n, sum = 0, most = 0;
     for (size_t k = 0; k < e->n; k++) {
-        if (loose && !faces_target(e, moved, k)) {
-            e->xx[k] = e->xy[k] = e->yy[k] = e->vx[k] = e->vy[k] = 0;
-            continue;
-        }
         float r = e->phi[k], gx = e->gx[k], gy = e->gy[k];
         e->xx[k] = w * (gx * gx + ISOTROPIC);
         e->xy[k] = w * gx * gy;
@@ -96,13 +84,13 @@ static void add_forward(il_equations *e, const il_samples *moved, bool loose, il
     m->forward_max = most;
 }
 
-static void add_backward(il_equations *e, const il_samples *moved, const il_samples *target, bool loose, il_misfit *m)
+static void add_backward(il_equations *e, const il_samples *moved, const il_samples *target, il_misfit *m)
 {
     float w = 1 / (float)target->n, sum = 0, most = 0;
     for (uint32_t q = 0; q < target->n; q++) {
         uint32_t p = e->partner[q];
         if (p == IL_NO_PARTNER) {
-            most = loose ? most : INFINITY;
+            most = INFINITY;
             continue;
         }
         float nx = target->nx[q], ny = target->ny[q];
@@ -119,15 +107,14 @@ static void add_backward(il_equations *e, const il_samples *moved, const il_samp
     m->backward_max = most;
 }
 
-il_misfit il_equations_fill(il_equations *e, const il_samples *moved, const il_samples *target, il_distance *map,
-                            bool anew, bool loose)
+il_misfit il_equations_fill(il_equations *e, const il_samples *moved, const il_samples *target, il_distance *map, bool anew)
 {
     il_misfit m = { 0, 0, 0, 0 };
     e->n = moved->n;
     il_distance_sample(map, moved->x, moved->y, moved->n, e->phi, e->gx, e->gy);
     il_partners_find(moved, target, anew, e->partner);
-    add_forward(e, moved, loose, &m);
-    add_backward(e, moved, target, loose, &m);
+    add_forward(e, &m);
+    add_backward(e, moved, target, &m);
     return m;
 }
 

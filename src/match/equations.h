@@ -32,10 +32,8 @@ typedef struct il_misfit {
 il_status il_equations_reserve(il_equations *e, size_t n, size_t n_target, const il_spline *s, il_error *err);
 
 /* Fill the blocks for MOVED as it lies; the partners are searched ANEW or about
- * where they were.  LOOSE: samples that do not face the way of what they are
- * drawn to are left alone, and so are targets without a partner. */
-il_misfit il_equations_fill(il_equations *e, const il_samples *moved, const il_samples *target, il_distance *map,
-                            bool anew, bool loose);
+ * where they were. */
+il_misfit il_equations_fill(il_equations *e, const il_samples *moved, const il_samples *target, il_distance *map, bool anew);
 
 /* Solve by conjugate gradients; the field is e->field[0] + s->margin. */
 void il_equations_solve(il_equations *e, const il_samples *moved, const il_spline *s);

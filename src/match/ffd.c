@@ -67,7 +67,6 @@ struct il_ffd {
     history now, best;
     bool best_is_last;                 /* `moved` and the partners are still those of the best */
     uint32_t cells_x, cells_y;
-    bool loose;                        /* the two sides have not the same rings */
 };
 
 il_status il_ffd_new(il_ffd **out, il_error *err)
@@ -172,7 +171,7 @@ static il_status run_level(il_ffd *f, float spacing, int patience, il_error *err
     float before = INFINITY;
     int idle = 0;
     for (int i = 0; st == IL_OK && i < MOST_STEPS; i++) {
-        il_misfit m = il_equations_fill(&f->equations, &f->moving, &f->target, &f->map, few || i % ANEW_EVERY == 0, f->loose);
+        il_misfit m = il_equations_fill(&f->equations, &f->moving, &f->target, &f->map, few || i % ANEW_EVERY == 0);
         float now = m.forward_rms + m.backward_rms;
         idle = now > GAIN * before ? idle + 1 : 0;
         before = now;
@@ -212,7 +211,7 @@ static il_status judge(il_ffd *f, il_error *err)
     il_status st = il_equations_reserve(&f->equations, f->moved.n, f->lower.n, &none, err);
     if (st != IL_OK)
         return st;
-    f->now.misfit = il_equations_fill(&f->equations, &f->moved, &f->lower, &f->map, true, f->loose);
+    f->now.misfit = il_equations_fill(&f->equations, &f->moved, &f->lower, &f->map, true);
     f->now.fits = fits(&f->now.misfit);
     f->now.distortion = distortion(&f->upper, &f->moved);
     f->now.least_jacobian = f->jacobian[0];
@@ -251,18 +250,23 @@ static void keep_if_better(il_ffd *f, bool *any)
     *any = true;
 }
 
+/* From every start by the first ladder, and from the best of them by the others,
+ * until one fits without much distortion. */
 static il_status climb(il_ffd *f, const il_global *starts, int n_starts, il_error *err)
 {
     bool any = false;
-    for (size_t k = 0; k < 3; k++)
-        for (int i = 0; i < n_starts; i++) {
-            il_status st = attempt(f, &starts[i], LADDER[k], err);
+    il_global from = starts[0];
+    for (size_t k = 0; k < 3; k++) {
+        for (int i = 0; i < (k == 0 ? n_starts : 1); i++) {
+            il_status st = attempt(f, k == 0 ? &starts[i] : &from, LADDER[k], err);
             if (st != IL_OK)
                 return st;
             keep_if_better(f, &any);
             if (f->best.fits && f->best.distortion < DOUBTFUL)
                 return IL_OK;
         }
+        from = f->best.global;
+    }
     return IL_OK;
 }
 
@@ -285,12 +289,13 @@ static il_status forward_rms(il_ffd *f, const il_global *g, float *rms, il_error
     return IL_OK;
 }
 
-/* A turn is looked for where the contours are this far apart, cells. */
-static const float TURN_WORTHWHILE = 2;
+/* A turn is looked for where the contours are this far apart, in cells; and no
+ * start is worth an attempt that does not bring them nearer than by so much. */
+static const float TURN_WORTHWHILE = 2, NEARER = 0.7f;
 
-/* The starts to try, best first, into START: as they lie or by moments, whichever
- * is nearer; and turned, if that is nearer still. */
-static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outline *upper, il_global start[2], int *n, il_error *err)
+/* The starts to try into START: as the slices lie, for contours that overlap move
+ * along their normals then; by moments; turned. */
+static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outline *upper, il_global start[3], int *n, il_error *err)
 {
     il_global g;
     float best, rms;
@@ -299,18 +304,15 @@ static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outl
     il_status st = forward_rms(f, &start[0], &best, err);
     if (st == IL_OK && best > ENOUGH_RMS && il_global_by_moments(lower, upper, &g)) {
         st = forward_rms(f, &g, &rms, err);
-        if (st == IL_OK && rms < best) {
-            start[0] = g;
+        if (st == IL_OK && rms < NEARER * best) {
+            start[(*n)++] = g;
             best = rms;
         }
     }
     if (st == IL_OK && best > TURN_WORTHWHILE && il_global_with_turn(lower, upper, &g)) {
         st = forward_rms(f, &g, &rms, err);
-        if (st == IL_OK && rms < best) {
-            start[1] = start[0];
-            start[0] = g;
-            *n = 2;
-        }
+        if (st == IL_OK && rms < NEARER * best)
+            start[(*n)++] = g;
     }
     return st;
 }
@@ -378,23 +380,14 @@ static void measure(il_ffd *f, il_fit *fit)
     fit->residual_down_max = most;
 }
 
-static size_t count_rings(const il_outline *o)
-{
-    size_t n = 0;
-    for (size_t i = 0; i < o->n; i++)
-        n += o->next[i] <= i;
-    return n;
-}
-
 il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upper,
                        uint32_t cells_x, uint32_t cells_y, il_fit *fit, il_error *err)
 {
-    il_global starts[2];
+    il_global starts[3];
     int n_starts = 0;
     *fit = (il_fit){ 0 };
     f->cells_x = cells_x;
     f->cells_y = cells_y;
-    f->loose = count_rings(lower) != count_rings(upper);
     il_status st = il_distance_begin(&f->map, lower->xy, lower->next, lower->n, cells_x, cells_y, err);
     if (st == IL_OK)
         st = il_samples_take(&f->lower, lower, SAMPLE_SPACING, err);

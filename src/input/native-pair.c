@@ -456,10 +456,10 @@ static il_status take_arc(il_native *n, const il_native_shape *s, il_arc *a)
     return st != IL_OK ? st : take_vertex_and_t(n, s, &a->to);
 }
 
-static il_status take_match(il_native *n)
+static il_status take_arcs(il_native *n, bool as_they_lie)
 {
     il_pair *p = &n->pair;
-    il_match m = { 0 };
+    il_match m = { .as_they_lie = as_they_lie };
     il_status st = need_matcher(n);
     if (st == IL_OK)
         st = take_arc(n, &n->lower, &m.lower);
@@ -477,6 +477,17 @@ static il_status take_match(il_native *n)
         return il_native_nomem(n);
     p->match[p->n_matches++] = m;
     return IL_OK;
+}
+
+static il_status take_match(il_native *n)
+{
+    return take_arcs(n, false);
+}
+
+static il_status take_near(il_native *n)
+{
+    il_status st = need_ffd(n, "near");
+    return st == IL_OK ? take_arcs(n, true) : st;
 }
 
 static il_status take_side(il_native *n, const il_native_shape **s, bool *upper)
@@ -554,6 +565,7 @@ const il_native_keyword il_native_pair_keywords[] = {
     { "lattice", IL_IN_GROUP, take_lattice },
     { "phi", IL_IN_PAIR, take_phi },
     { "match", IL_IN_PAIR, take_match },
+    { "near", IL_IN_PAIR, take_near },
     { "unmatched", IL_IN_PAIR, take_unmatched },
     { "insert", IL_IN_PAIR, take_insert },
     { NULL, IL_IN_STREAM, NULL },

@@ -157,7 +157,7 @@ il_status il_attempt_group(il_outcome *out, const il_task *task, il_error *err)
     if (task->phi && task->lower->n_stations > 0 && task->upper->n_stations > 0) {
         if (task->n_matches > 0)
             st = attempt_deformed(out, task, IL_ATTEMPT_S, err);
-        if (st == IL_OK && out->verdict.flaw != IL_FLAW_NONE)
+        if (st == IL_OK && out->verdict.flaw != IL_FLAW_NONE && !task->as_they_lie)
             st = attempt_deformed(out, task, IL_ATTEMPT_P, err);
     }
     if (st == IL_OK && out->verdict.flaw != IL_FLAW_NONE)

@@ -19,6 +19,25 @@ static void free_member(il_member *m)
     memset(m, 0, sizeof *m);
 }
 
+/* A record like the crowd's, of which only phi is its own: vertices stay. */
+static il_status rest(il_crowd *c, il_error *err)
+{
+    const il_section *upper = c->whole[1];
+    il_phi_point *row = il_alloc(upper->n_stations, sizeof *row);
+    size_t n = 0;
+    if (!row)
+        return il_fail_nomem(err);
+    for (size_t i = 0; i < upper->n_stations; i++) {
+        const double *xy = upper->xy + 2 * upper->node_at[i];
+        if (upper->t_at[i] == 0)
+            row[n++] = (il_phi_point){ { upper->ring_at[i], upper->vertex_at[i], 0 }, xy[0], xy[1] };
+    }
+    c->resting = *c->pair;
+    c->resting.phi = row;
+    c->resting.n_phi = n;
+    return il_phi_index(&c->at_rest, &c->resting, upper, err);
+}
+
 il_status il_crowd_gather(il_crowd *c, const il_section *lower, const il_section *upper,
                           const il_pair *pair, bool round_float, il_error *err)
 {
@@ -27,6 +46,8 @@ il_status il_crowd_gather(il_crowd *c, const il_section *lower, const il_section
     il_status st = il_groups_find(&c->groups, pair, n_rings, err);
     if (st == IL_OK)
         st = il_phi_index(&c->phi, pair, upper, err);
+    if (st == IL_OK && c->phi.pair)
+        st = rest(c, err);
     if (st == IL_OK) {
         c->member = il_calloc(c->groups.n, sizeof *c->member);
         st = c->member ? IL_OK : il_fail_nomem(err);
@@ -40,6 +61,8 @@ void il_crowd_free(il_crowd *c)
         free_member(&c->member[i]);
     il_free(c->member);
     il_phi_free(&c->phi);
+    il_phi_free(&c->at_rest);
+    il_free(c->resting.phi);
     il_groups_free(&c->groups);
     memset(c, 0, sizeof *c);
 }
@@ -104,6 +127,7 @@ static bool find_outside(const il_section *lower, const il_section *upper, unsig
 /* The matched arcs group by group: group g has match[first[g]] .. match[first[g + 1] - 1]. */
 typedef struct arcs {
     uint32_t *first, *match;
+    bool *trusted; /* [groups] */
 } arcs;
 
 static uint32_t group_of_match(il_crowd *c, const il_match *m)
@@ -115,18 +139,32 @@ static uint32_t group_of_match(il_crowd *c, const il_match *m)
     return a == b ? a : UINT32_MAX;
 }
 
-/* As the groups are joined now; none without a phi. */
+/* May group I follow phi?  All that were joined to it must be allowed to. */
+static bool is_trusted(il_crowd *c, uint32_t i)
+{
+    const il_pair *p = c->phi.pair;
+    for (uint32_t g = i; g < p->n_groups; g++)
+        if (p->group[g].fitted && !il_fit_is_trusted(&p->group[g].fit) && il_forest_leader(c->groups.up, g) == i)
+            return false;
+    return true;
+}
+
+/* As the groups are joined now; none without a phi.  Of groups that do not follow
+ * phi, the arcs that correspond without it. */
 static il_status list_arcs(il_crowd *c, arcs *a, il_error *err)
 {
     size_t n = c->phi.pair ? c->phi.pair->n_matches : 0;
     a->first = il_calloc(c->groups.n + 2, sizeof *a->first);
     a->match = il_alloc(n, sizeof *a->match);
-    if (!a->first || !a->match)
+    a->trusted = il_alloc(c->groups.n, sizeof *a->trusted);
+    if (!a->first || !a->match || !a->trusted)
         return il_fail_nomem(err);
+    for (uint32_t g = 0; g < c->groups.n; g++)
+        a->trusted[g] = !c->phi.pair || !leads(c, g) || is_trusted(c, g);
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < n; i++) {
             uint32_t g = group_of_match(c, &c->phi.pair->match[i]);
-            if (g == UINT32_MAX)
+            if (g == UINT32_MAX || c->phi.pair->match[i].as_they_lie == a->trusted[g])
                 continue;
             if (pass == 0)
                 a->first[g + 2]++;
@@ -157,8 +195,12 @@ static il_status settle_member(il_crowd *c, uint32_t i, const arcs *a, il_error 
     il_task task = { .lower = section_of(c, m, 0), .upper = section_of(c, m, 1), .phi = c->phi.pair ? &c->phi : NULL,
                      .match = a->match + a->first[i], .n_matches = a->first[i + 1] - a->first[i],
                      .round_float = c->round_float };
-    if (task.lower->n_stations > 0 && task.upper->n_stations > 0)
+    if (!a->trusted[i]) {
+        task.phi = &c->at_rest;
+        task.as_they_lie = true;
+    } else if (task.lower->n_stations > 0 && task.upper->n_stations > 0) {
         task.fit = fit_of(c, i);
+    }
     m->settled = true;
     if (m->node_of[0] && !find_outside(task.lower, task.upper, &task.outside)) {
         m->outcome.attempt = IL_ATTEMPT_B;
@@ -184,7 +226,7 @@ static il_status take_parts(il_crowd *c, size_t i, const il_group_rings list[2],
 
 static il_status settle_members(il_crowd *c, il_error *err)
 {
-    arcs a = { NULL, NULL };
+    arcs a = { NULL, NULL, NULL };
     il_group_rings list[2] = { { NULL, NULL }, { NULL, NULL } };
     bool single = count_leaders(c) == 1;
     il_status st = IL_OK;
@@ -206,6 +248,7 @@ static il_status settle_members(il_crowd *c, il_error *err)
     il_group_rings_free(&list[1]);
     il_free(a.first);
     il_free(a.match);
+    il_free(a.trusted);
     return st;
 }
 

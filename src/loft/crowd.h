@@ -18,11 +18,14 @@ typedef struct il_member {
     bool settled;
 } il_member;
 
-/* member[groups.n], in use where a group leads others or stands alone. */
+/* member[groups.n], in use where a group leads others or stands alone.  at_rest:
+ * the identity in the manner of phi, for groups whose phi is not trusted
+ * (model/pair.h); resting: the record that it is made of. */
 typedef struct il_crowd {
     const il_section *whole[2];
     const il_pair *pair;
-    il_phi phi;
+    il_phi phi, at_rest;
+    il_pair resting;
     bool round_float;
     il_groups groups;
     il_member *member;

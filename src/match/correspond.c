@@ -7,8 +7,9 @@
 #include <string.h>
 
 /* An upper point belongs to its foot when it is no further away than this, in
- * cells, and their outward normals make less than a right angle, by a margin. */
-static const double NEAR = 0.5, NORMALS_AGREE = 0.2;
+ * cells (deformed, or as it lies), and their outward normals make less than a
+ * right angle, by a margin. */
+static const double NEAR = 0.5, NEAR_AS_THEY_LIE = 2, NORMALS_AGREE = 0.2;
 
 /* From one point to the next the foot may fall back or run ahead by this much,
  * in cells; points are IL_COURSE_SPACING apart at most. */
@@ -30,6 +31,7 @@ typedef struct foot {
 
 typedef struct corresponder {
     const il_course *lower, *upper;
+    bool as_they_lie;
     il_ffd *solver;
     size_t *vertex_point;     /* the lower course's point at each vertex of the outline */
     size_t *ring_begin;       /* [lower rings + 1] first vertex of each ring in the outline */
@@ -62,13 +64,14 @@ static bool index_vertices(corresponder *c)
 static void find_foot(corresponder *c, size_t k)
 {
     const il_course_point *p = &c->upper->point[k];
+    double near = c->as_they_lie ? NEAR_AS_THEY_LIE : NEAR;
     il_foot f = il_ffd_foot(c->solver, p->x, p->y);
     const il_course_point *v = &c->lower->point[c->vertex_point[f.segment]];
     const il_course_point *w = f.segment + 1 < c->ring_begin[v->ring + 1] ? &c->lower->point[c->vertex_point[f.segment + 1]]
                                                                         : &c->lower->point[c->lower->first[v->ring]];
     double length = (w->at > v->at ? w->at : c->lower->length[v->ring]) - v->at;
     double dx = w->x - v->x, dy = w->y - v->y, cosine = length > 0 ? (p->nx * dy - p->ny * dx) / length : 0;
-    c->foot[k] = (foot){ v->at + f.t * length, v->ring, f.distance <= NEAR && cosine > NORMALS_AGREE };
+    c->foot[k] = (foot){ v->at + f.t * length, v->ring, f.distance <= near && cosine > NORMALS_AGREE };
 }
 
 /* How far the foot runs on from upper point K to the one after it. */
@@ -175,7 +178,7 @@ static il_status add_match(corresponder *c, size_t l0, size_t l1, size_t u0, siz
 {
     il_correspondence *o = c->out;
     il_match m = { { place_of(&c->lower->point[l0]), place_of(&c->lower->point[l1]) },
-                   { place_of(&c->upper->point[u0]), place_of(&c->upper->point[u1]) }, 0, 0 };
+                   { place_of(&c->upper->point[u0]), place_of(&c->upper->point[u1]) }, 0, 0, c->as_they_lie };
     if (!list_arcs(c, l0, l1, u0, u1) || !il_grow(&o->match, &o->cap_matches, o->n_matches + 1, sizeof *o->match))
         return il_fail_nomem(err);
     il_status st = pair_up(c, &m, err);
@@ -322,9 +325,10 @@ static bool list_unmatched(corresponder *c, bool upper, size_t r)
     }
 }
 
-il_status il_correspond(il_correspondence *out, const il_course *lower, const il_course *upper, il_ffd *solver, il_error *err)
+il_status il_correspond(il_correspondence *out, const il_course *lower, const il_course *upper, bool as_they_lie,
+                        il_ffd *solver, il_error *err)
 {
-    corresponder c = { .lower = lower, .upper = upper, .solver = solver, .out = out };
+    corresponder c = { .lower = lower, .upper = upper, .as_they_lie = as_they_lie, .solver = solver, .out = out };
     c.foot = il_alloc(upper->n, sizeof *c.foot);
     c.taken[0] = il_calloc(lower->n, sizeof **c.taken);
     c.taken[1] = il_calloc(upper->n, sizeof **c.taken);

@@ -145,16 +145,19 @@ static il_status map_upper(group_match *m, il_error *err)
     return st;
 }
 
-static il_status lay_lower(group_match *m, il_error *err)
+/* The rings of SIDE as they lie. */
+static il_status lay(group_match *m, int side, il_course *course, il_error *err)
 {
     const il_group *g = m->group;
+    const uint32_t *ring = side == 0 ? g->lower : g->upper;
     il_status st = IL_OK;
     size_t begin = 0;
-    for (size_t i = 0; st == IL_OK && i < g->n_lower; i++) {
-        size_t n = m->slice[0]->ring[g->lower[i]].n;
-        st = il_course_add(&m->course[0], m->xy[0] + 2 * begin, n, NULL, 0, err);
+    for (size_t i = 0; st == IL_OK && i < (side == 0 ? g->n_lower : g->n_upper); i++) {
+        size_t n = m->slice[side]->ring[ring[i]].n;
+        st = il_course_add(course, m->xy[side] + 2 * begin, n, NULL, 0, err);
         begin += n;
     }
+    il_course_set_normals(course);
     return st;
 }
 
@@ -166,7 +169,7 @@ static il_arc arc_in_slice(const uint32_t *ring, il_arc a)
     return a;
 }
 
-static bool record(group_match *m, bool keep_lattices)
+static bool record_arcs(group_match *m)
 {
     il_pair *p = m->pair;
     il_group *g = m->group;
@@ -187,13 +190,34 @@ static bool record(group_match *m, bool keep_lattices)
         a.arc = arc_in_slice(a.upper ? g->upper : g->lower, a.arc);
         p->unmatched[p->n_unmatched++] = a;
     }
+    return true;
+}
+
+/* Where phi is not trusted: the arcs that correspond without it, but not what
+ * is left over, for that is said of phi. */
+static il_status match_as_they_lie(group_match *m, il_error *err)
+{
+    il_course upper = IL_COURSE_INIT;
+    il_correspondence_free(&m->found);
+    il_status st = lay(m, 1, &upper, err);
+    if (st == IL_OK)
+        st = il_correspond(&m->found, &m->course[0], &upper, true, m->solver, err);
+    m->found.n_unmatched = 0;
+    if (st == IL_OK && !record_arcs(m))
+        st = il_fail_nomem(err);
+    il_course_free(&upper);
+    return st;
+}
+
+static void record_fit(group_match *m, bool keep_lattices)
+{
+    il_group *g = m->group;
     il_frame_scale_fit(&m->frame, &m->fit);
     g->fit = m->fit;
     g->fitted = true;
     m->fit = (il_fit){ 0 };
     if (!keep_lattices)
         il_fit_drop_lattices(&g->fit);
-    return true;
 }
 
 il_status il_group_match(il_pair *pair, il_group *g, const il_slice *lower, const il_slice *upper,
@@ -204,13 +228,16 @@ il_status il_group_match(il_pair *pair, il_group *g, const il_slice *lower, cons
     if (st == IL_OK)
         st = map_upper(&m, err);
     if (st == IL_OK)
-        st = lay_lower(&m, err);
-    il_course_set_normals(&m.course[0]);
+        st = lay(&m, 0, &m.course[0], err);
     il_course_set_normals(&m.course[1]);
     if (st == IL_OK)
-        st = il_correspond(&m.found, &m.course[0], &m.course[1], solver, err);
-    if (st == IL_OK && !record(&m, keep_lattices))
+        st = il_correspond(&m.found, &m.course[0], &m.course[1], false, solver, err);
+    if (st == IL_OK && !record_arcs(&m))
         st = il_fail_nomem(err);
+    if (st == IL_OK && !il_fit_is_trusted(&m.fit))
+        st = match_as_they_lie(&m, err);
+    if (st == IL_OK)
+        record_fit(&m, keep_lattices);
     release(&m);
     return st;
 }

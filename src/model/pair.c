@@ -17,6 +17,11 @@ void il_fit_free(il_fit *f)
     *f = (il_fit){ 0 };
 }
 
+bool il_fit_is_trusted(const il_fit *f)
+{
+    return f->distortion <= IL_DISTORTION_MOST && f->least_jacobian > 0;
+}
+
 static void free_group(il_group *g)
 {
     il_fit_free(&g->fit);

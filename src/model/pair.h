@@ -24,10 +24,12 @@ typedef struct il_phi_point {
 typedef struct il_arc { il_place from, to; } il_arc;
 
 /* The arcs correspond, ends to ends; residual: distance of phi(upper arc) from
- * the lower arc, mean and largest, in the stack's unit. */
+ * the lower arc, mean and largest, in the stack's unit.  as_they_lie: without
+ * phi, of a group whose phi is not trusted. */
 typedef struct il_match {
     il_arc lower, upper;
     double residual_mean, residual_max;
+    bool as_they_lie;
 } il_match;
 
 /* What an arc without a partner was taken for: the seam along which a region
@@ -119,6 +121,12 @@ typedef struct il_pair {
 #define IL_PAIR_INIT { 0 }
 void il_pair_free(il_pair *p);
 void il_fit_free(il_fit *f);          /* with its lattices; all zero afterwards */
+/* May the surface follow phi?  A small residual does not tell: a map that had to
+ * stretch the rings unevenly takes what has no partner for something else.
+ * Measured on sliced solids: beyond IL_DISTORTION_MOST the slices as they lie are
+ * the better guide, and no slab came out worse for it. */
+#define IL_DISTORTION_MOST 0.3
+bool il_fit_is_trusted(const il_fit *f);
 void il_fit_drop_lattices(il_fit *f); /* they alone; `steps` still says how many */
 
 /* Does P name rings or places?  If not, it holds for any two slices. */

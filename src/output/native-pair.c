@@ -51,7 +51,9 @@ static int compare_links(const void *va, const void *vb)
 static int compare_matches(const void *va, const void *vb)
 {
     const il_match *a = va, *b = vb;
-    int c = by_place(&a->lower.from, &b->lower.from);
+    int c = (int)a->as_they_lie - (int)b->as_they_lie;
+    if (c == 0)
+        c = by_place(&a->lower.from, &b->lower.from);
     if (c == 0)
         c = by_place(&a->upper.from, &b->upper.from);
     if (c == 0)
@@ -254,7 +256,7 @@ static il_status write_matches(il_output *to, const il_pair *p, il_error *err)
     if (!order)
         return il_fail_nomem(err);
     for (size_t i = 0; i < p->n_matches; i++) {
-        il_output_string(to, "match");
+        il_output_string(to, order[i].as_they_lie ? "near" : "match");
         put_arc(to, &order[i].lower);
         put_arc(to, &order[i].upper);
         put_numbers(to, "", (const double[]){ order[i].residual_mean, order[i].residual_max }, 2);

@@ -64,7 +64,7 @@ slice 1\nring\n0 0\n1 0\n0 1\nend\n" | "$ISOLOFT" --strict -o old/file.stl'
 fails 4 "an input that is not there" "$ISOLOFT" no-such-file -o old/file.stl
 fails 4 "a folder as input" "$ISOLOFT" old -o old/file.stl
 fails 2 "a wrong command line" "$ISOLOFT" "$vase" -o old/file.stl --no-such-option
-fails 2 "a missing verb" "$ISOLOFT" plot "$vase" -o old/file.stl
+fails 2 "a picture that is none" "$ISOLOFT" plot "$vase" -o old/file.stl
 fails 4 "pairs that have no place" "$ISOLOFT" "$vase" -o old/file.stl --pairs no/such/folder
 pillar 60 400 >pillar.loft
 fails 4 "a spool that has no place" env TMPDIR=/no/such/folder "$ISOLOFT" pillar.loft -o old/file.stl

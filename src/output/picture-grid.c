@@ -6,9 +6,9 @@
 #include <math.h>
 
 /* A cell is about so large on the page, and a line has so many points a cell;
- * many small groups share so many lines. */
-static const double CELL = 17;
-enum { POINTS_A_CELL = 6, LINES_MOST = 1200, CELLS_MOST = 60 };
+ * all groups share so many steps of a point by a lattice. */
+static const double CELL = 17, STEPS_MOST = 2e7;
+enum { POINTS_A_CELL = 6, CELLS_MOST = 60 };
 
 /* Round the group's rings, with a margin of a tenth. */
 static il_box group_box(const il_slice *upper, const il_group *g)
@@ -66,7 +66,7 @@ static il_status draw_group(il_svg_page *page, const il_svg_view *v, const il_bo
 il_status il_picture_grid(il_svg_page *page, const il_svg_view *v, const il_slice *upper, const il_pair *p,
                           il_grid_facts *facts, il_error *err)
 {
-    size_t lines = 0;
+    double steps = 0;
     il_status st = IL_OK;
     *facts = (il_grid_facts){ 0, 0, 0, 0 };
     il_svg_open(page, "fill=\"none\" stroke=\"" IL_GRID_COLOR "\" stroke-width=\".7\"");
@@ -77,10 +77,10 @@ il_status il_picture_grid(il_svg_page *page, const il_svg_view *v, const il_slic
         facts->groups++;
         il_box b = group_box(upper, g);
         size_t cells[2] = { cells_of(il_box_side(&b, 0), v->scale), cells_of(il_box_side(&b, 1), v->scale) };
-        lines += cells[0] + cells[1] + 2;
-        if (lines > LINES_MOST)
-            continue;
         bool whole = g->fit.n_lattices >= g->fit.steps;
+        steps += (double)(2 * cells[0] * cells[1] * POINTS_A_CELL) * (double)(g->fit.n_lattices + 20);
+        if (steps > STEPS_MOST)
+            continue;
         st = draw_group(page, v, &b, cells, &g->fit, whole, err);
         facts->drawn++;
         facts->whole += whole;

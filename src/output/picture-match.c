@@ -1,13 +1,17 @@
 #include "config.h"
 #include "output/picture-match.h"
 
+#include <math.h>
+
 const il_match_style il_match_large = {
     .contour = "stroke-width=\"1\"", .matched = "fill=\"none\" stroke-width=\"2\"",
-    .unmatched = "fill=\"none\" stroke-width=\"4\"", .links = "fill=\"none\" stroke-width=\".6\"", .link_spacing = 10 };
+    .unmatched = "fill=\"none\" stroke-width=\"4\"", .links = "fill=\"none\" stroke-width=\".6\"",
+    .inserted = "fill=\"none\" stroke=\"" IL_INK "\" stroke-width=\"4\"", .link_spacing = 10, .links_most = 1000 };
 
 const il_match_style il_match_small = {
     .contour = "stroke-width=\".5\"", .matched = "fill=\"none\" stroke-width=\"1\"",
-    .unmatched = "fill=\"none\" stroke-width=\"2\"", .links = "fill=\"none\" stroke-width=\".4\"", .link_spacing = 7 };
+    .unmatched = "fill=\"none\" stroke-width=\"2\"", .links = "fill=\"none\" stroke-width=\".4\"",
+    .inserted = "fill=\"none\" stroke=\"" IL_INK "\" stroke-width=\"2\"", .link_spacing = 7, .links_most = 200 };
 
 /* By il_event: a colour, and dashes that tell them apart without it. */
 static const char *const event_attributes[3] = {
@@ -26,15 +30,17 @@ static void draw_slices(il_svg_page *page, const il_svg_view *v, const il_arcs *
     il_svg_close(page);
 }
 
-/* Thin lines from the upper slice to the lower. */
-static il_status draw_links(il_svg_page *page, const il_svg_view *v, il_arcs *a, const il_match_style *style, il_error *err)
+/* Thin lines from the upper slice to the lower; MATCHED: the length of its arcs. */
+static il_status draw_links(il_svg_page *page, const il_svg_view *v, il_arcs *a, const il_match_style *style,
+                            double matched, il_error *err)
 {
+    double spacing = fmax(style->link_spacing / v->scale, matched / style->links_most);
     il_status st = IL_OK;
     il_svg_open(page, style->links);
     il_svg_path_begin(page, "stroke=\"" IL_LINK_COLOR "\"");
     for (size_t k = 0; k < a->pair->n_matches && st == IL_OK; k++) {
         size_t n;
-        st = il_arcs_links(a, &a->pair->match[k], style->link_spacing / v->scale, 0.5 / v->scale, &n, err);
+        st = il_arcs_links(a, &a->pair->match[k], spacing, spacing / 16, &n, err);
         for (size_t i = 0; i < n; i++) {
             double from[2], to[2];
             il_svg_view_point(v, a->sample[4 * i], a->sample[4 * i + 1], from);
@@ -82,6 +88,18 @@ static il_status draw_unmatched(il_svg_page *page, const il_svg_view *v, il_arcs
     return st;
 }
 
+/* Dots: lines of no length with round ends. */
+static void draw_insertions(il_svg_page *page, const il_svg_view *v, const il_pair *p, const il_match_style *style)
+{
+    il_svg_path_begin(page, style->inserted);
+    for (size_t k = 0; k < p->n_insertions; k++) {
+        double at[2];
+        il_svg_view_point(v, p->insertion[k].x, p->insertion[k].y, at);
+        il_svg_segment(page, at[0], at[1], at[0] + .01, at[1]);
+    }
+    il_svg_path_end(page);
+}
+
 static double slice_length(const il_slice *s)
 {
     double sum = 0;
@@ -97,22 +115,22 @@ il_status il_picture_match(il_svg_page *page, const il_svg_view *v, il_arcs *a, 
     il_match_facts *f = facts ? facts : &unused;
     *f = (il_match_facts){ .lower_length = slice_length(a->lower), .upper_length = slice_length(a->upper) };
     draw_slices(page, v, a, style);
-    il_status st = draw_links(page, v, a, style, err);
-    if (st != IL_OK)
-        return st;
     il_svg_open(page, style->matched);
-    st = draw_matched(page, v, a, false, &f->lower_matched, err);
+    il_status st = draw_matched(page, v, a, false, &f->lower_matched, err);
     if (st == IL_OK)
         st = draw_matched(page, v, a, true, &f->upper_matched, err);
     il_svg_close(page);
+    if (st == IL_OK)
+        st = draw_links(page, v, a, style, f->upper_matched, err);
     il_svg_open(page, style->unmatched);
     for (int e = 0; e < 3 && st == IL_OK; e++)
         st = draw_unmatched(page, v, a, (il_event)e, &f->unmatched[e], err);
     il_svg_close(page);
+    draw_insertions(page, v, a->pair, style);
     return st;
 }
 
-size_t il_picture_match_legend(il_legend_entry *entry, bool links, bool matched, const size_t unmatched[3])
+size_t il_picture_match_legend(il_legend_entry *entry, bool matched, bool inserted, const size_t unmatched[3])
 {
     static const il_legend_entry lower =
         { "fill=\"" IL_LOWER_COLOR "\" fill-opacity=\".15\" stroke=\"" IL_LOWER_COLOR "\" stroke-width=\"1\"", "lower slice", true };
@@ -122,6 +140,8 @@ size_t il_picture_match_legend(il_legend_entry *entry, bool links, bool matched,
         { "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"2\"", "matched arcs (thick)", false };
     static const il_legend_entry link =
         { "stroke=\"" IL_LINK_COLOR "\" stroke-width=\".8\"", "upper point to its partner", false };
+    static const il_legend_entry dot =
+        { "stroke=\"" IL_INK "\" stroke-width=\"4\" stroke-dasharray=\".01 9\"", "inserted points", false };
     static const il_legend_entry events[3] = {
         { "stroke=\"#009e73\" stroke-width=\"4\" stroke-linecap=\"butt\"", "unmatched: branch", false },
         { "stroke=\"#aa4499\" stroke-width=\"4\" stroke-linecap=\"butt\" stroke-dasharray=\"7 2.5\"", "unmatched: cap", false },
@@ -132,8 +152,10 @@ size_t il_picture_match_legend(il_legend_entry *entry, bool links, bool matched,
     entry[n++] = upper;
     if (matched)
         entry[n++] = thick;
-    if (links)
+    if (matched)
         entry[n++] = link;
+    if (inserted)
+        entry[n++] = dot;
     for (int e = 0; e < 3; e++)
         if (unmatched[e] > 0)
             entry[n++] = events[e];

@@ -5,10 +5,11 @@
 #include "output/picture-arcs.h"
 #include "output/picture-parts.h"
 
-/* Line widths on the page, as attributes; link: how far apart links are drawn. */
+/* Line widths on the page, as attributes; how far apart links are drawn, and how
+ * many at most, about. */
 typedef struct il_match_style {
-    const char *contour, *matched, *unmatched, *links;
-    double link_spacing;
+    const char *contour, *matched, *unmatched, *links, *inserted;
+    double link_spacing, links_most;
 } il_match_style;
 
 extern const il_match_style il_match_large, il_match_small;
@@ -25,7 +26,7 @@ il_status il_picture_match(il_svg_page *page, const il_svg_view *v, il_arcs *a, 
 
 /* The legend's entries for what has been drawn of a pair with FACTS: at most
  * IL_MATCH_ENTRIES into ENTRY; returns how many. */
-enum { IL_MATCH_ENTRIES = 8 };
-size_t il_picture_match_legend(il_legend_entry *entry, bool links, bool matched, const size_t unmatched[3]);
+enum { IL_MATCH_ENTRIES = 9 };
+size_t il_picture_match_legend(il_legend_entry *entry, bool matched, bool inserted, const size_t unmatched[3]);
 
 #endif

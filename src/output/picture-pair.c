@@ -134,6 +134,19 @@ static void describe(il_label *l, const il_figure *f)
         il_label_words(l, ". Matched by free-form deformation.");
 }
 
+static void tell_grids(il_svg_page *page, const il_grid_facts *g)
+{
+    il_label l = IL_LABEL_INIT;
+    if (g->drawn == g->groups)
+        return;
+    il_label_words(&l, "Grids are shown for ");
+    il_label_count(&l, g->drawn);
+    il_label_words(&l, " of ");
+    il_label_count(&l, g->groups);
+    il_label_words(&l, " groups; more would be too many lines.");
+    il_picture_paragraph(page, IL_PAGE_INNER, l.text);
+}
+
 static void describe_side(il_label *l, const char *side, double matched, double length)
 {
     il_label_number(l, length > 0 ? fmin(100 * matched / length, 100) : 0, 3);
@@ -175,11 +188,6 @@ static size_t grid_legend(il_legend_entry *entry, const il_grid_facts *g, il_lab
     if (g->whole > 0) {
         il_label_words(words, "grid of the upper plane under \xCF\x86, ");
         il_label_counted(words, g->steps, "lattice step");
-        if (g->drawn < g->groups) {
-            il_label_words(words, " (the first ");
-            il_label_counted(words, g->drawn, "group");
-            il_label_words(words, ")");
-        }
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_GRID_COLOR "\" stroke-width=\"1\"", words->text, false };
     }
     if (g->whole < g->drawn)
@@ -192,7 +200,7 @@ static void draw_legend(il_svg_page *page, const il_pair *p, const il_match_fact
 {
     il_legend_entry entry[IL_MATCH_ENTRIES + 4];
     il_label words = IL_LABEL_INIT;
-    size_t n = il_picture_match_legend(entry, p->n_matches > 0, p->n_matches > 0, m->unmatched);
+    size_t n = il_picture_match_legend(entry, p->n_matches > 0, p->n_insertions > 0, m->unmatched);
     if (deformed) {
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_LOWER_BAND "\" stroke-width=\"4.5\"", "lower contour in (b)", false };
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"1.3\"", "\xCF\x86(upper contour)", false };
@@ -230,6 +238,7 @@ il_status il_picture_draw_pair(il_svg_page *page, const il_figure *f, il_error *
     page->y += 4;
     if (pair->n_phi + pair->n_matches + pair->n_unmatched > 0)
         tell_matches(page, pair, &facts);
+    tell_grids(page, &grid);
     il_picture_fit_table(page, pair, f->head.unit);
     il_arcs_free(&arcs);
     return st == IL_OK ? il_output_status(page->body, err) : st;

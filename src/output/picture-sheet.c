@@ -61,11 +61,33 @@ static void describe_residual(il_label *l, const il_level *upper)
     }
 }
 
+/* The two lines under a pair. */
+static void caption_of(const il_figure *f, size_t k, il_label *heights, il_label *residual)
+{
+    heights->n = residual->n = 0;
+    il_label_words(heights, "z ");
+    il_label_height(heights, f->level[k].slice.z);
+    il_label_words(heights, "\xE2\x80\x93");
+    il_label_height(heights, f->level[k + 1].slice.z);
+    describe_residual(residual, &f->level[k + 1]);
+}
+
+static double widest_caption(const il_figure *f)
+{
+    double most = 0;
+    il_label heights, residual;
+    for (size_t k = 0; k + 1 < f->n; k++) {
+        caption_of(f, k, &heights, &residual);
+        most = fmax(most, il_picture_caption_width(f->first + k, heights.text, residual.text));
+    }
+    return most;
+}
+
 static il_status draw_pair(il_svg_page *page, const il_figure *f, size_t k, const il_panel *at, double scale, il_error *err)
 {
     const il_level *lower = &f->level[k], *upper = &f->level[k + 1];
     const il_pair *pair = upper->has_pair ? &upper->below : &no_pair;
-    il_label z = IL_LABEL_INIT, residual = IL_LABEL_INIT;
+    il_label heights, residual;
     il_box box = il_box_empty();
     il_arcs arcs = IL_ARCS_INIT;
     il_box_add_slice(&box, &lower->slice);
@@ -75,12 +97,8 @@ static il_status draw_pair(il_svg_page *page, const il_figure *f, size_t k, cons
     il_status st = il_arcs_open(&arcs, &lower->slice, &upper->slice, pair, err);
     if (st == IL_OK)
         st = il_picture_match(page, &v, &arcs, &il_match_small, NULL, err);
-    il_label_words(&z, "z ");
-    il_label_height(&z, lower->slice.z);
-    il_label_words(&z, "\xE2\x80\x93");
-    il_label_height(&z, upper->slice.z);
-    describe_residual(&residual, upper);
-    il_picture_tile_caption(page, at, f->first + k, z.text, residual.text);
+    caption_of(f, k, &heights, &residual);
+    il_picture_tile_caption(page, at, f->first + k, heights.text, residual.text);
     il_arcs_free(&arcs);
     return st;
 }
@@ -102,12 +120,13 @@ static void largest_window(const il_figure *f, double side[2])
         side[0] = side[1] = 1;
 }
 
-static bool has_matches(const il_figure *f)
+static void look_for(const il_figure *f, bool *matched, bool *inserted)
 {
-    for (size_t k = 1; k < f->n; k++)
-        if (f->level[k].has_pair && f->level[k].below.n_matches > 0)
-            return true;
-    return false;
+    *matched = *inserted = false;
+    for (size_t k = 1; k < f->n; k++) {
+        *matched = *matched || f->level[k].below.n_matches > 0;
+        *inserted = *inserted || f->level[k].below.n_insertions > 0;
+    }
 }
 
 static void count_unmatched(const il_figure *f, size_t unmatched[3])
@@ -123,15 +142,16 @@ il_status il_picture_draw_pairs(il_svg_page *page, const il_figure *f, il_error 
     double side[2];
     il_label words = IL_LABEL_INIT;
     il_legend_entry entry[IL_MATCH_ENTRIES];
-    bool matched = has_matches(f);
+    bool matched, inserted;
+    look_for(f, &matched, &inserted);
     describe(&words, f);
     il_picture_heading(page, f, words.text);
     largest_window(f, side);
     page->y += 8;
     count_unmatched(f, unmatched);
-    size_t n = il_picture_match_legend(entry, matched, matched, unmatched);
+    size_t n = il_picture_match_legend(entry, matched, inserted, unmatched);
     il_picture_legend(page, entry, n);
-    il_tiles tiles = il_tiles_arrange(page, f->n - 1, side[0], side[1], 2);
+    il_tiles tiles = il_tiles_arrange(f->n - 1, side[0], side[1], 2, widest_caption(f));
     il_picture_scale_bar(page, IL_PAGE_MARGIN, page->y + 14, 120, tiles.scale, f->head.unit);
     page->y += 32;
     il_status st = IL_OK;

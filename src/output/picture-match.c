@@ -24,9 +24,9 @@ static void draw_slices(il_svg_page *page, const il_svg_view *v, const il_arcs *
 {
     il_svg_open(page, style->contour);
     il_picture_slice(page, v, a->lower,
-        "fill=\"" IL_LOWER_COLOR "\" fill-opacity=\".15\" fill-rule=\"evenodd\" stroke=\"" IL_LOWER_COLOR "\"");
+        "fill=\"" IL_LOWER_COLOR "\" fill-opacity=\".15\" fill-rule=\"evenodd\"", " stroke=\"" IL_LOWER_COLOR "\"");
     il_picture_slice(page, v, a->upper,
-        "fill=\"" IL_UPPER_COLOR "\" fill-opacity=\".13\" fill-rule=\"evenodd\" stroke=\"" IL_UPPER_COLOR "\"");
+        "fill=\"" IL_UPPER_COLOR "\" fill-opacity=\".13\" fill-rule=\"evenodd\"", " stroke=\"" IL_UPPER_COLOR "\"");
     il_svg_close(page);
 }
 

@@ -99,9 +99,9 @@ static il_status draw_deformed(il_svg_page *page, const layout *l, const il_arcs
     il_svg_open_clipped(page, l->b.x, l->b.y, l->b.width, l->b.height);
     il_status st = il_picture_grid(page, &v, a->upper, a->pair, grid, err);
     il_svg_close(page);
-    il_picture_slice(page, &v, a->lower, "fill=\"" IL_LOWER_COLOR "\" fill-opacity=\".1\" fill-rule=\"evenodd\" "
-                     "stroke=\"" IL_LOWER_BAND "\" stroke-width=\"4.5\"");
-    il_picture_slice(page, &v, a->upper, "fill=\"none\" stroke=\"" IL_UPPER_COLOR "\" stroke-width=\".8\" "
+    il_picture_slice(page, &v, a->lower, "fill=\"" IL_LOWER_COLOR "\" fill-opacity=\".1\" fill-rule=\"evenodd\"",
+                     " stroke=\"" IL_LOWER_BAND "\" stroke-width=\"4.5\"");
+    il_picture_slice(page, &v, a->upper, "fill=\"none\"", " stroke=\"" IL_UPPER_COLOR "\" stroke-width=\".8\" "
                      "stroke-dasharray=\"2 3\" stroke-opacity=\".75\"");
     return st == IL_OK ? draw_deformed_rings(page, &v, a, err) : st;
 }
@@ -226,7 +226,7 @@ il_status il_picture_draw_pair(il_svg_page *page, const il_figure *f, il_error *
         return st;
     layout l = arrange(&arcs, page->y + 10, deformed);
     il_svg_view v = il_view_centred(&l.a, &l.window, l.scale);
-    draw_panel(page, &l.a, deformed ? "(a)  the slices as they lie" : "the slices as they lie");
+    draw_panel(page, &l.a, deformed ? "(a)  the slices as they lie" : "The slices as they lie");
     st = il_picture_match(page, &v, &arcs, &il_match_large, &facts, err);
     if (st == IL_OK && deformed)
         st = draw_deformed(page, &l, &arcs, &grid, err);

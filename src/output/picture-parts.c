@@ -56,12 +56,23 @@ il_svg_view il_view_centred(const il_panel *panel, const il_box *b, double scale
                           .scale = scale };
 }
 
-void il_picture_slice(il_svg_page *page, const il_svg_view *v, const il_slice *s, const char *attributes)
+static void draw_rings(il_svg_page *page, const il_svg_view *v, const il_slice *s, bool open, const char *fill,
+                       const char *stroke)
 {
-    il_svg_path_begin(page, attributes);
+    il_label attributes = IL_LABEL_INIT;
+    il_label_words(&attributes, fill);
+    il_label_words(&attributes, stroke);
+    il_svg_path_begin(page, attributes.text);
     for (size_t i = 0; i < s->n; i++)
-        il_svg_outline(page, v, s->ring[i].xy, s->ring[i].n, !s->ring[i].open);
+        if (s->ring[i].open == open)
+            il_svg_outline(page, v, s->ring[i].xy, s->ring[i].n, !open);
     il_svg_path_end(page);
+}
+
+void il_picture_slice(il_svg_page *page, const il_svg_view *v, const il_slice *s, const char *fill, const char *stroke)
+{
+    draw_rings(page, v, s, false, fill, stroke);
+    draw_rings(page, v, s, true, "fill=\"none\"", stroke);
 }
 
 /* ---- heading ------------------------------------------------------------- */

@@ -84,7 +84,8 @@ typedef struct il_legend_entry {
 /* The entries in columns from page->y on, which moves. */
 void il_picture_legend(il_svg_page *page, const il_legend_entry *entry, size_t n);
 
-/* All rings of S as one path. */
-void il_picture_slice(il_svg_page *page, const il_svg_view *v, const il_slice *s, const char *attributes);
+/* All rings of S as one path with attributes FILL and STROKE; open lines, which
+ * bound nothing, without FILL. */
+void il_picture_slice(il_svg_page *page, const il_svg_view *v, const il_slice *s, const char *fill, const char *stroke);
 
 #endif

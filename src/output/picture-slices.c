@@ -36,7 +36,7 @@ static void draw_slice(il_svg_page *page, const il_figure *f, size_t k, const il
     il_svg_view v = il_view_centred(at, window, scale);
     il_svg_rectangle(page, at->x, at->y, at->width, at->height, "fill=\"none\" stroke=\"#e4e4e4\" stroke-width=\".75\"");
     il_picture_slice(page, &v, s,
-        "fill=\"" IL_LOWER_PALE "\" fill-rule=\"evenodd\" stroke=\"" IL_LOWER_COLOR "\" stroke-width=\".8\"");
+        "fill=\"" IL_LOWER_PALE "\" fill-rule=\"evenodd\"", " stroke=\"" IL_LOWER_COLOR "\" stroke-width=\".8\"");
     if (s->n == 0)
         il_svg_text(page, at->x + at->width / 2, at->y + at->height / 2 + 4,
                     "font-size=\"11\" text-anchor=\"middle\" fill=\"" IL_GRAY "\"", "empty");

@@ -7,7 +7,7 @@
 # ---- full disks, closed outputs, closed pipes ----------------------------------
 
 if [ -w /dev/full ]; then
-    for verb in convert read; do
+    for verb in convert read plot; do
         exits 4 "$verb: a full disk on standard output" sh -c '"$ISOLOFT" $1 "$2" >/dev/full' - $verb "$vase"
         holds "is told in one line" one_error
         exits 4 "$verb: a full disk on -o" "$ISOLOFT" $verb "$vase" -o /dev/full
@@ -33,7 +33,7 @@ holds "leaves the file whole" cmp c.ply vase.ply
 exits 0 "a closed standard error too" sh -c '"$ISOLOFT" "$1" -v -o d.ply 2>&-' - "$vase"
 holds "leaves the file whole" cmp d.ply vase.ply
 
-for verb in read convert; do
+for verb in read convert plot; do
     { sleep 0.2; "$ISOLOFT" $verb "$vase" 2>pipe.err; echo $? >pipe.status; } | :
     holds "$verb: a pipe that nobody reads kills" grep -qx 141 pipe.status
     holds "without a word" test ! -s pipe.err

@@ -219,6 +219,7 @@ il_status il_picture_draw_pair(il_svg_page *page, const il_figure *f, il_error *
     il_arcs arcs = IL_ARCS_INIT;
     il_match_facts facts = { 0 };
     il_grid_facts grid = { 0, 0, 0, 0 };
+    page->tolerance = 0.1;
     describe(&words, f);
     il_picture_heading(page, f, words.text);
     il_status st = il_arcs_open(&arcs, &f->level[0].slice, &f->level[1].slice, pair, err);

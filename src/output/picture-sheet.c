@@ -148,6 +148,7 @@ il_status il_picture_draw_pairs(il_svg_page *page, const il_figure *f, il_error 
     il_picture_heading(page, f, words.text);
     largest_window(f, side);
     page->y += 8;
+    page->tolerance = 0.15;
     count_unmatched(f, unmatched);
     size_t n = il_picture_match_legend(entry, matched, inserted, unmatched);
     il_picture_legend(page, entry, n);

@@ -47,6 +47,7 @@ il_status il_picture_draw_slices(il_svg_page *page, const il_figure *f, il_error
 {
     il_label words = IL_LABEL_INIT;
     il_box window = il_box_empty();
+    page->tolerance = 0.1;
     describe(&words, f);
     il_picture_heading(page, f, words.text);
     if (f->n == 0)

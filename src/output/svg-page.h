@@ -8,7 +8,7 @@
 #include "base/output.h"
 
 /* body: all between the header and the end.  y: how far down the page is full.
- * tolerance: how far an outline on the page may lie from the true one. */
+ * tolerance: how far an outline on the page may lie from the true one, about. */
 typedef struct il_svg_page {
     il_output *to, *body;
     double width, y, tolerance;

@@ -37,11 +37,11 @@ static void describe(il_label *l, const il_figure *f)
     il_picture_extent(l, f);
     il_label_words(l, ", ");
     il_label_counted(l, f->n_pairs, "pair record");
-    il_label_words(l, ". Each pair under its number, that of its lower slice; one scale, each centred.");
-    if (!has_residuals(f))
-        return;
-    il_label_words(l, " Residual: distance of \xCF\x86(upper) from lower and back, mean (largest) of the worst group, in ");
-    il_label_words(l, il_unit_name(f->head.unit));
+    il_label_words(l, ", at one scale, each centred. Under a pair its number, that of the lower slice, and heights");
+    if (has_residuals(f)) {
+        il_label_words(l, "; then the distance of \xCF\x86(upper) from lower and back, mean (largest), of the worst group, in ");
+        il_label_words(l, il_unit_name(f->head.unit));
+    }
     il_label_words(l, ".");
 }
 
@@ -51,7 +51,6 @@ static void describe_residual(il_label *l, const il_level *upper)
     if (!upper->has_pair) {
         il_label_words(l, "not matched");
     } else if (worst_residual(&upper->below, &mean, &largest)) {
-        il_label_words(l, "residual ");
         il_label_number(l, mean, 2);
         il_label_words(l, " (");
         il_label_number(l, largest, 2);

@@ -36,7 +36,7 @@ says "there is a scale in the stack's unit" strip.svg "50 mm"
 exits 0 "pairs are a sheet" "$ISOLOFT" plot matched.loft
 cp out sheet.svg
 picture "which is a picture" sheet.svg
-holds "every pair has its heights" test "$(count '>z [0-9.]*–[0-9.]*</text>' sheet.svg)" -eq 32
+holds "every pair has its heights" test "$(count '>z [0-9.]* to [0-9.]*</text>' sheet.svg)" -eq 32
 exits 0 "--slices is the strip of a stream with pairs" "$ISOLOFT" plot matched.loft --slices
 holds "the same one" cmp out strip.svg
 exits 0 "--no-slices takes it back" "$ISOLOFT" plot matched.loft --slices --no-slices

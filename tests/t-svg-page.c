@@ -218,6 +218,20 @@ static void numbers_in_labels_have_so_many_digits(void **state)
     }
 }
 
+static void heights_in_labels_differ(void **state)
+{
+    (void)state;
+    const struct { double v, spacing; const char *text; } c[] = {
+        { 7.5, 2.5, "7.5" }, { -0.8754741, 0.05, "-0.875" }, { 100000.0512345, 0.05, "100000.051" }, { 12, 1e-9, "12" },
+        { 402.7611, 3.5, "402.8" }, { 0.1, 0, "0.1" }, { 1e-30, 2e-30, "1e-30" }, { 1 / 3.0, 1e-20, "0.3333333333333333" },
+        { -9e14, 1.8e15, "-9e+14" } };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
+        il_label l = IL_LABEL_INIT;
+        il_label_height(&l, c[k].v, c[k].spacing);
+        assert_string_equal(l.text, c[k].text);
+    }
+}
+
 static void names_in_labels_are_cut_and_printable(void **state)
 {
     (void)state;
@@ -345,6 +359,7 @@ int main(void)
         cmocka_unit_test(thinned_outlines_stay_within_the_tolerance),
         cmocka_unit_test(smooth_outlines_become_short),
         cmocka_unit_test(numbers_in_labels_have_so_many_digits),
+        cmocka_unit_test(heights_in_labels_differ),
         cmocka_unit_test(names_in_labels_are_cut_and_printable),
         cmocka_unit_test(arcs_run_where_they_say),
         cmocka_unit_test(links_lead_to_where_phi_points),

@@ -80,13 +80,17 @@ void il_label_number(il_label *l, double v, int digits)
     append(l, text, il_number_format(text, rounded(v, digits)));
 }
 
-void il_label_height(il_label *l, double v)
+void il_label_height(il_label *l, double v, double spacing)
 {
-    char text[IL_NUMBER_MAX];
-    size_t n = il_number_format(text, v);
-    if (n > 9)
-        n = il_number_format(text, rounded(v, 6));
-    append(l, text, n);
+    char text[IL_NUMBER_MAX], shorter[IL_NUMBER_MAX];
+    size_t n = il_number_format(text, v), m;
+    double power = spacing > 0 ? pow(10, fmax(ceil(-log10(spacing)), 0) + 1) : 0;
+    if (power > 0 && power <= 1e22 && fabs(v) * power < 1e15) {
+        m = il_number_format(shorter, round(v * power) / power);
+        append(l, m < n ? shorter : text, m < n ? m : n);
+    } else {
+        append(l, text, n);
+    }
 }
 
 double il_label_width(const char *text, double size)

@@ -20,8 +20,9 @@ void il_label_count(il_label *l, size_t count);
 void il_label_counted(il_label *l, size_t count, const char *noun);
 /* V with at most DIGITS significant digits. */
 void il_label_number(il_label *l, double v, int digits);
-/* V as it is when that is short, and else with 6 significant digits. */
-void il_label_height(il_label *l, double v);
+/* V with the decimals that tell it from others SPACING away, and one more; as it
+ * is when that is shorter, and for a spacing of 0. */
+void il_label_height(il_label *l, double v, double spacing);
 
 /* How wide TEXT is about, in pixels, where the font is SIZE high: rather too
  * much than too little, for the font is not known. */

@@ -108,13 +108,14 @@ static il_status draw_deformed(il_svg_page *page, const layout *l, const il_arcs
 
 /* ---- words --------------------------------------------------------------- */
 
-static void name_slice(il_label *l, size_t number, const il_slice *s, il_unit unit)
+static void name_slice(il_label *l, const il_figure *f, size_t k)
 {
-    il_label_count(l, number);
+    const il_slice *s = &f->level[k].slice;
+    il_label_count(l, f->first + k);
     il_label_words(l, " (z ");
-    il_label_height(l, s->z);
+    il_label_height(l, s->z, f->spacing);
     il_label_words(l, " ");
-    il_label_words(l, il_unit_name(unit));
+    il_label_words(l, il_unit_name(f->head.unit));
     il_label_words(l, s->n == 0 ? ", empty)" : ")");
 }
 
@@ -123,9 +124,9 @@ static void describe(il_label *l, const il_figure *f)
     il_label_words(l, "Pair ");
     il_label_count(l, f->first);
     il_label_words(l, ": lower slice ");
-    name_slice(l, f->first, &f->level[0].slice, f->head.unit);
+    name_slice(l, f, 0);
     il_label_words(l, ", upper slice ");
-    name_slice(l, f->first + 1, &f->level[1].slice, f->head.unit);
+    name_slice(l, f, 1);
     if (!f->level[1].has_pair)
         il_label_words(l, ". Not matched: the stream has no record of this pair (isoloft match adds it).");
     else if (f->level[1].below.matcher == IL_MATCHER_NONE)

@@ -122,10 +122,10 @@ void il_picture_extent(il_label *l, const il_figure *f)
     if (f->n_slices == 0)
         return;
     il_label_words(l, ", z ");
-    il_label_height(l, f->z_least);
+    il_label_height(l, f->z_least, f->spacing);
     if (f->z_greatest > f->z_least) {
         il_label_words(l, " to ");
-        il_label_height(l, f->z_greatest);
+        il_label_height(l, f->z_greatest, f->spacing);
     }
     il_label_words(l, " ");
     il_label_words(l, unit);

@@ -30,12 +30,13 @@ typedef struct il_level {
 } il_level;
 
 /* The levels of a stack that are kept: level[k] is slice first + k of the
- * n_slices that there are.  index: the stack's place in the stream, from 1. */
+ * n_slices that there are.  index: the stack's place in the stream, from 1.
+ * spacing: the least between two slices, 0 with fewer. */
 typedef struct il_figure {
     il_stack_head head;
     il_level *level;        size_t n, cap;
     size_t first, n_slices, n_pairs, index;
-    double z_least, z_greatest;
+    double z_least, z_greatest, spacing;
 } il_figure;
 
 /* The three pictures: append F to PAGE, and move page->y.  K: the pair of

@@ -65,9 +65,9 @@ static void caption_of(const il_figure *f, size_t k, il_label *heights, il_label
 {
     heights->n = residual->n = 0;
     il_label_words(heights, "z ");
-    il_label_height(heights, f->level[k].slice.z);
-    il_label_words(heights, "\xE2\x80\x93");
-    il_label_height(heights, f->level[k + 1].slice.z);
+    il_label_height(heights, f->level[k].slice.z, f->spacing);
+    il_label_words(heights, " to ");
+    il_label_height(heights, f->level[k + 1].slice.z, f->spacing);
     describe_residual(residual, &f->level[k + 1]);
 }
 

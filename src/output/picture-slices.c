@@ -16,7 +16,7 @@ static il_label caption_of(const il_figure *f, size_t k)
 {
     il_label l = IL_LABEL_INIT;
     il_label_words(&l, "z ");
-    il_label_height(&l, f->level[k].slice.z);
+    il_label_height(&l, f->level[k].slice.z, f->spacing);
     return l;
 }
 

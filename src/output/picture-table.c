@@ -43,8 +43,6 @@ static void put_row(il_svg_page *page, const il_group *g)
     page->y += ROW;
     put_rings(page, 0, g->lower, g->n_lower);
     put_rings(page, 1, g->upper, g->n_upper);
-    if (!g->fitted)
-        return;
     put_number(page, 2, f->residual_up_mean);
     put_number(page, 3, f->residual_up_max);
     put_number(page, 4, f->residual_down_mean);
@@ -65,33 +63,48 @@ static void put_heading(il_svg_page *page)
     page->y += 4;
 }
 
-static void put_note(il_svg_page *page, const il_pair *p, bool fitted, il_unit unit)
+static void put_note(il_svg_page *page, size_t rows, il_unit unit)
 {
     il_label l = IL_LABEL_INIT;
-    if (p->n_groups > ROWS_MOST) {
+    if (rows > ROWS_MOST) {
         il_label_words(&l, "And ");
-        il_label_counted(&l, p->n_groups - ROWS_MOST, "group");
+        il_label_counted(&l, rows - ROWS_MOST, "group");
         il_label_words(&l, " more. ");
     }
-    if (fitted) {
-        il_label_words(&l, "Distances are means and largest ones, in ");
-        il_label_words(&l, il_unit_name(unit));
-        il_label_words(&l, "; \xCF\x86 is one-to-one where the Jacobian stays above 0; "
-                           "distortion is the root mean square of the log stretch.");
-    }
+    il_label_words(&l, "Distances are means and largest ones, in ");
+    il_label_words(&l, il_unit_name(unit));
+    il_label_words(&l, "; \xCF\x86 is one-to-one where the Jacobian stays above 0; "
+                       "distortion is the root mean square of the log stretch.");
     page->y += 6;
+    il_picture_paragraph(page, IL_PAGE_INNER, l.text);
+}
+
+/* Groups of rings in one slice only have no figures. */
+static void tell_alone(il_svg_page *page, size_t alone)
+{
+    il_label l = IL_LABEL_INIT;
+    if (alone == 0)
+        return;
+    il_label_counted(&l, alone, "group");
+    il_label_words(&l, alone == 1 ? " has" : " have");
+    il_label_words(&l, " rings in one slice only.");
     il_picture_paragraph(page, IL_PAGE_INNER, l.text);
 }
 
 void il_picture_fit_table(il_svg_page *page, const il_pair *p, il_unit unit)
 {
-    bool fitted = false;
-    if (p->n_groups == 0)
-        return;
-    put_heading(page);
-    for (size_t k = 0; k < p->n_groups && k < ROWS_MOST; k++)
-        put_row(page, &p->group[k]);
+    size_t rows = 0, alone = 0;
     for (size_t k = 0; k < p->n_groups; k++)
-        fitted = fitted || p->group[k].fitted;
-    put_note(page, p, fitted, unit);
+        alone += p->group[k].n_lower == 0 || p->group[k].n_upper == 0;
+    tell_alone(page, alone);
+    for (size_t k = 0; k < p->n_groups; k++) {
+        if (!p->group[k].fitted)
+            continue;
+        if (rows == 0)
+            put_heading(page);
+        if (rows++ < ROWS_MOST)
+            put_row(page, &p->group[k]);
+    }
+    if (rows > 0)
+        put_note(page, rows, unit);
 }

@@ -4,8 +4,8 @@
 
 #include "output/picture-parts.h"
 
-/* A row for each of P's groups, as far as a page likes, from page->y on, which
- * moves; nothing without groups. */
+/* A row for each fitted group of P, as far as a page likes, from page->y on,
+ * which moves, and how many groups are on one side only. */
 void il_picture_fit_table(il_svg_page *page, const il_pair *p, il_unit unit);
 
 #endif

@@ -4,7 +4,7 @@
 #include "output/picture-parts.h"
 #include "base/alloc.h"
 
-#include <string.h>
+#include <math.h>
 
 /* stacks: begun so far; most_pairs: the most that any of them has room for;
  * drawn: figures on the page.  title: the name of the first. */
@@ -30,6 +30,7 @@ static void empty_figure(il_figure *f)
         free_level(&f->level[k]);
     il_stack_head_free(&f->head);
     f->n = f->n_slices = f->n_pairs = f->first = 0;
+    f->spacing = 0;
 }
 
 static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
@@ -80,6 +81,8 @@ static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)
     bool first = f->n_slices == 0;
     if (!first && slice->z == f->z_greatest)
         return is_wanted(p, f->n_slices - 1) ? join(&f->level[f->n - 1].slice, slice, err) : IL_OK;
+    double spacing = first ? 0 : slice->z - f->z_greatest;
+    f->spacing = f->spacing > 0 ? fmin(f->spacing, spacing) : spacing;
     f->z_least = first ? slice->z : f->z_least;
     f->z_greatest = slice->z;
     size_t number = f->n_slices++;

@@ -113,7 +113,7 @@ static void what_makes_no_sense_is_a_usage_error(void **state)
         "--frame x", "--no-such x", "--no-output x", "-z x", "x -o", "x --threads", "x --threads 0", "x --threads 257",
         "x --threads 1x", "x --threads=-1", "x --threads 99999999999999999999", "x --spacing 0", "x --spacing -1",
         "x --spacing nan", "x --spacing 1e15", "x --spacing 1,5", "x --unit parsec", "x --to deg", "x --to",
-        "x --cap none", "x --groups x", "read x --groups slab", "check --strict x", "x --matcher ffd", "x --matcher x",
+        "x --cap none", "x --groups x", "read x --groups slab", "check --strict x", "x --matcher x",
         "x --progress=often", "x --strict=yes", "x --no-strict=yes", "x --help=x", "x -t svg", "x -f stp", "x -o y.zip",
         "x -t loft --matcher", "read x --cap dome", "check x -o y", "info x -t stl", "read x -t stl", "read x -o y.stl",
         "mesh x -t loft", "mesh x y", "match x y", "check x y", "plot x y", "plot x --cap dome",

@@ -205,8 +205,8 @@ il_status il_group_match(il_pair *pair, il_group *g, const il_slice *lower, cons
         st = map_upper(&m, err);
     if (st == IL_OK)
         st = lay_lower(&m, err);
-    il_course_set_normals(&m.course[0]);
-    il_course_set_normals(&m.course[1]);
+    for (int k = 0; k < 2 && st == IL_OK; k++)
+        il_course_set_normals(&m.course[k]);
     if (st == IL_OK)
         st = il_correspond(&m.found, &m.course[0], &m.course[1], solver, err);
     if (st == IL_OK && !record(&m, keep_lattices))

@@ -10,7 +10,8 @@
 
 static il_status (*const commands[IL_N_VERBS])(const il_options *, il_voice *, il_error *) = {
     [IL_VERB_CONVERT] = il_command_convert, [IL_VERB_READ] = il_command_read, [IL_VERB_MATCH] = il_command_match,
-    [IL_VERB_MESH] = il_command_mesh, [IL_VERB_INFO] = il_command_info, [IL_VERB_CHECK] = il_command_check
+    [IL_VERB_MESH] = il_command_mesh, [IL_VERB_INFO] = il_command_info, [IL_VERB_CHECK] = il_command_check,
+    [IL_VERB_PLOT] = il_command_plot
 };
 
 static il_status run(const il_options *o, il_voice *v, il_error *err)

@@ -65,7 +65,7 @@ modest 3 40 "a NUL in SVG" "$ISOLOFT" nul.svg
 head -c 100000 /dev/zero >zero
 modest 3 40 "zeros" "$ISOLOFT" zero
 modest 3 40 "zeros to check" "$ISOLOFT" check zero
-for verb in convert read match mesh info check; do
+for verb in convert read match mesh info check plot; do
     exits 3 "$verb: an empty input" "$ISOLOFT" $verb /dev/null
     holds "is told in one line" one_error
 done

@@ -9,7 +9,7 @@
 static void obj_groups_follow_the_slabs(void **state)
 {
     (void)state;
-    const il_write_options options = { NULL, true };
+    const il_write_options options = { .groups_by_slab = true };
     il_output *o;
     il_mesh_sink *s;
     il_stack_head h = head_called("a");

@@ -78,7 +78,7 @@ static void every_switch_can_be_taken_back(void **state)
         if (p->kind != IL_OPTION_SWITCH)
             continue;
         char line[80];
-        snprintf(line, sizeof line, "--no-%s x", p->name);
+        snprintf(line, sizeof line, "%s --no-%s x", p->verbs & 1 << IL_VERB_CONVERT ? "convert" : "plot", p->name);
         assert_int_equal(PARSE(o, line), IL_OK);
         il_options_free(&o);
     }
@@ -113,10 +113,12 @@ static void what_makes_no_sense_is_a_usage_error(void **state)
         "--frame x", "--no-such x", "--no-output x", "-z x", "x -o", "x --threads", "x --threads 0", "x --threads 257",
         "x --threads 1x", "x --threads=-1", "x --threads 99999999999999999999", "x --spacing 0", "x --spacing -1",
         "x --spacing nan", "x --spacing 1e15", "x --spacing 1,5", "x --unit parsec", "x --to deg", "x --to",
-        "x --cap none", "x --groups x", "read x --groups slab", "check --strict x", "x --matcher ffd", "x --matcher x",
+        "x --cap none", "x --groups x", "read x --groups slab", "check --strict x", "x --matcher x",
         "x --progress=often", "x --strict=yes", "x --no-strict=yes", "x --help=x", "x -t svg", "x -f stp", "x -o y.zip",
         "x -t loft --matcher", "read x --cap dome", "check x -o y", "info x -t stl", "read x -t stl", "read x -o y.stl",
-        "mesh x -t loft", "mesh x y", "match x y", "check x y", "plot", "plot x", "- -", "x -o y --pairs y",
+        "mesh x -t loft", "mesh x y", "match x y", "check x y", "plot x y", "plot x --cap dome",
+        "plot x -o y.stl", "plot --pair", "plot --pair x", "plot --pair -1", "plot --pair 3 --slices",
+        "plot --slices --pair 3", "plot --slices=3", "plot x -t stl", "read x --pair 3", "x --slices", "- -", "x -o y --pairs y",
         "x --pairs -", "x -o - --pairs -", "x -o y.stl --json=y.stl", "read x --pairs y", "match --spacing 1",
         "--output= x", "x --json=" };
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {

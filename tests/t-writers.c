@@ -653,7 +653,7 @@ static void comments_stand_where_there_is_room(void **state)
 {
     (void)state;
     static const char *const lines[] = { "isoloft --cap dome", "evil\nend_header", NULL };
-    const il_write_options options = { lines, true };
+    const il_write_options options = { .comment = lines, .groups_by_slab = true };
     static const struct { const il_writer *w; const char *first, *second; } c[] = {
         { &il_writer_obj, "\n# isoloft --cap dome\n", "\n# evil\\x0aend_header\n" },
         { &il_writer_ply, "\ncomment isoloft --cap dome\n", "\ncomment evil\\x0aend_header\n" } };

@@ -4,7 +4,7 @@
 exits 0 "--help helps" "$ISOLOFT" --help
 cp out help
 holds "it fits a screen of 80 by 24" awk 'length > 79 || NR > 23 { exit 1 }' help
-for verb in convert read match mesh info check; do
+for verb in convert read match mesh info check plot; do
     holds "$verb is in it" grep -q "$verb" help
     exits 0 "$verb has help of its own" "$ISOLOFT" $verb --help
     holds "no line of which is too long" awk 'length > 79 { exit 1 }' out
@@ -28,7 +28,7 @@ for word in --help --formats --version; do echo $word; done | sort -u - told | g
 sort -u known | grep -v -x -e --no- >known.all
 holds "help and manual know the same options" diff known.all told.all
 
-for line in "--frame bbox x" "--gap cap x" "--matcher ffd x" "plot" "x -o y.zip" "mesh --spacing 3 x" "-t nonsense x" "x --threads 0" "- -"; do
+for line in "--frame bbox x" "--gap cap x" "--matcher x y" "plot x -o y.png" "plot x -t stl" "x -o y.zip" "mesh --spacing 3 x" "-t nonsense x" "x --threads 0" "- -"; do
     # shellcheck disable=SC2086 # words of a line
     exits 2 "refused: $line" "$ISOLOFT" $line
     holds "in one line" one_error
@@ -97,7 +97,7 @@ for example in example?; do
     exits 0 "the manual's example runs: $(head -n 1 "$example" | cut -c 1-50)" \
         env PATH="$PWD/bin:$PATH" sh -e "./$example"
 done
-for file in vase.stl vase.ply vase.obj pairs.loft parts/0001-vase.ply parts/index.json account.json cone.stl; do
+for file in vase.stl vase.ply vase.obj pairs.loft parts/0001-vase.ply parts/index.json account.json cone.stl slices.svg pair.svg; do
     holds "and leaves $file" test -s $file
 done
 holds "the README's pipe runs" sh -c 'sed -n "s|^    ./isoloft read|isoloft read|p" "$srcdir/README.md" |

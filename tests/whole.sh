@@ -7,7 +7,7 @@
 # ---- full disks, closed outputs, closed pipes ----------------------------------
 
 if [ -w /dev/full ]; then
-    for verb in convert read; do
+    for verb in convert read plot; do
         exits 4 "$verb: a full disk on standard output" sh -c '"$ISOLOFT" $1 "$2" >/dev/full' - $verb "$vase"
         holds "is told in one line" one_error
         exits 4 "$verb: a full disk on -o" "$ISOLOFT" $verb "$vase" -o /dev/full
@@ -33,7 +33,7 @@ holds "leaves the file whole" cmp c.ply vase.ply
 exits 0 "a closed standard error too" sh -c '"$ISOLOFT" "$1" -v -o d.ply 2>&-' - "$vase"
 holds "leaves the file whole" cmp d.ply vase.ply
 
-for verb in read convert; do
+for verb in read convert plot; do
     { sleep 0.2; "$ISOLOFT" $verb "$vase" 2>pipe.err; echo $? >pipe.status; } | :
     holds "$verb: a pipe that nobody reads kills" grep -qx 141 pipe.status
     holds "without a word" test ! -s pipe.err
@@ -64,7 +64,7 @@ slice 1\nring\n0 0\n1 0\n0 1\nend\n" | "$ISOLOFT" --strict -o old/file.stl'
 fails 4 "an input that is not there" "$ISOLOFT" no-such-file -o old/file.stl
 fails 4 "a folder as input" "$ISOLOFT" old -o old/file.stl
 fails 2 "a wrong command line" "$ISOLOFT" "$vase" -o old/file.stl --no-such-option
-fails 2 "a missing verb" "$ISOLOFT" plot "$vase" -o old/file.stl
+fails 2 "a picture that is none" "$ISOLOFT" plot "$vase" -o old/file.stl
 fails 4 "pairs that have no place" "$ISOLOFT" "$vase" -o old/file.stl --pairs no/such/folder
 pillar 60 400 >pillar.loft
 fails 4 "a spool that has no place" env TMPDIR=/no/such/folder "$ISOLOFT" pillar.loft -o old/file.stl

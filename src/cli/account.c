@@ -142,14 +142,14 @@ static void fail_record(il_account *a, il_status st, const il_error *err)
         a->worst = st;
 }
 
-/* What a stage behind the tap answered.  A stack that has no surface, or is
- * not as strict asks, is told and dropped where the others shall go on. */
+/* What a stage behind the tap answered.  A stack that has no surface, is not as
+ * strict asks, or has not what is asked of it (a pair to draw), is told and dropped where the others shall go on. */
 static il_status settle(il_account *a, il_status st, il_error *err)
 {
     if (st == IL_OK)
         return st;
     il_error_set_file(err, a->options.input);
-    if (!a->options.keep_going || (st != IL_E_SURFACE && st != IL_E_INPUT))
+    if (!a->options.keep_going || (st != IL_E_SURFACE && st != IL_E_INPUT && st != IL_E_USAGE))
         return st;
     fail_record(a, st, err);
     il_message_error(a->options.voice, err);

@@ -14,8 +14,9 @@ il_status il_command_match(const il_options *o, il_voice *v, il_error *err);
 il_status il_command_mesh(const il_options *o, il_voice *v, il_error *err);
 il_status il_command_info(const il_options *o, il_voice *v, il_error *err);
 il_status il_command_check(const il_options *o, il_voice *v, il_error *err);
+il_status il_command_plot(const il_options *o, il_voice *v, il_error *err);
 
-/* For the four that write: run PLAN and say what there is to say of it. */
+/* For the five that write: run PLAN and say what there is to say of it. */
 il_status il_command_run_plan(const il_options *o, const il_plan *plan, il_voice *v, il_error *err);
 
 /* Say what the user has to know of a run.  An error that ended it stands alone,

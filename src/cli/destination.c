@@ -39,6 +39,15 @@ static void close_output(il_destination *d)
     d->output = NULL;
 }
 
+static il_status open_writer(il_destination *d, il_error *err)
+{
+    const il_writer *w = d->writer;
+    if (w->mesh_new)
+        return w->mesh_new(&d->mesh, d->output, &d->options, err);
+    return w->picture_new ? w->picture_new(&d->contours, d->output, &d->options, err)
+                          : w->contours_new(&d->contours, d->output, err);
+}
+
 static il_status open_output(il_destination *d, const char *path, il_error *err)
 {
     il_status st = il_output_open(&d->output, path, err);
@@ -46,8 +55,7 @@ static il_status open_output(il_destination *d, const char *path, il_error *err)
         st = il_fail(err, IL_E_USAGE, 0, "%s is binary and would go to the terminal; -o FILE, or -t with a text format",
                      d->writer->name);
     if (st == IL_OK)
-        st = d->writer->mesh_new ? d->writer->mesh_new(&d->mesh, d->output, &d->options, err)
-                                 : d->writer->contours_new(&d->contours, d->output, err);
+        st = open_writer(d, err);
     if (st != IL_OK)
         close_output(d);
     return st;
@@ -245,7 +253,7 @@ il_mesh_sink *il_destination_meshes(il_destination *d)
 
 il_sink *il_destination_contours(il_destination *d)
 {
-    return !d->writer->contours_new ? NULL : d->folder ? &d->contours_tap : d->contours;
+    return d->writer->mesh_new ? NULL : d->folder ? &d->contours_tap : d->contours;
 }
 
 const char *il_destination_take_file(void *self)

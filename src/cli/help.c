@@ -12,6 +12,7 @@ static const struct { const char *call, *words; } calls[IL_N_VERBS] = {
     [IL_VERB_MESH]    = { "mesh [FILE]",        "a native stream to a mesh" },
     [IL_VERB_INFO]    = { "info INPUT...",      "what is in it, and what comes out" },
     [IL_VERB_CHECK]   = { "check FILE",         "is a native stream or a mesh sound?" },
+    [IL_VERB_PLOT]    = { "plot [FILE]",        "a picture (SVG) of a native stream" },
 };
 
 static void usage_line(char *to, size_t size, int v)

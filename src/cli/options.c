@@ -4,10 +4,11 @@
 #include "base/number.h"
 #include "cli/destination.h"
 #include "cli/filename.h"
+#include "output/picture.h"
 
 #include <string.h>
 
-static const char *const verb_names[IL_N_VERBS] = { "convert", "read", "match", "mesh", "info", "check" };
+static const char *const verb_names[IL_N_VERBS] = { "convert", "read", "match", "mesh", "info", "check", "plot" };
 
 const char *il_verb_name(il_verb v)
 {
@@ -116,15 +117,15 @@ static il_status set_flip(il_options *o, const char *value, bool on, il_error *e
     return IL_OK;
 }
 
-/* Digits only, from 1 to MOST. */
-static il_status parse_count(const char *value, size_t most, size_t *count, const char *option, il_error *err)
+/* Digits only, from LEAST to MOST. */
+static il_status parse_count(const char *value, size_t least, size_t most, size_t *count, const char *option, il_error *err)
 {
     size_t n = 0;
     const char *s = value;
     for (; *s >= '0' && *s <= '9' && n <= most; s++)
         n = 10 * n + (size_t)(*s - '0');
-    if (*s || n < 1 || n > most)
-        return il_fail(err, IL_E_USAGE, 0, "%s takes a whole number from 1 to %zu, not '%.40s'", option, most, value);
+    if (*s || s == value || n < least || n > most)
+        return il_fail(err, IL_E_USAGE, 0, "%s takes a whole number from %zu to %zu, not '%.40s'", option, least, most, value);
     *count = n;
     return IL_OK;
 }
@@ -134,19 +135,19 @@ enum { LIMIT_MOST = 2000000000 };
 static il_status set_max_line(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
-    return parse_count(value, LIMIT_MOST, &o->read.max_line, "--max-line", err);
+    return parse_count(value, 1, LIMIT_MOST, &o->read.max_line, "--max-line", err);
 }
 
 static il_status set_max_depth(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
-    return parse_count(value, LIMIT_MOST, &o->read.max_depth, "--max-depth", err);
+    return parse_count(value, 1, LIMIT_MOST, &o->read.max_depth, "--max-depth", err);
 }
 
 static il_status set_max_points(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
-    return parse_count(value, LIMIT_MOST, &o->read.max_points, "--max-points", err);
+    return parse_count(value, 1, LIMIT_MOST, &o->read.max_points, "--max-points", err);
 }
 
 static il_status set_cap(il_options *o, const char *value, bool on, il_error *err)
@@ -185,11 +186,32 @@ static il_status set_lattice(il_options *o, const char *value, bool on, il_error
     return IL_OK;
 }
 
+static const char two_pictures[] = "--slices and --pair are two pictures: give one of them";
+
+static il_status set_slices(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    if (on && o->picture.what == IL_PICTURE_PAIR)
+        return il_fail(err, IL_E_USAGE, 0, two_pictures);
+    if (on || o->picture.what == IL_PICTURE_SLICES)
+        o->picture.what = on ? IL_PICTURE_SLICES : IL_PICTURE_AUTO;
+    return IL_OK;
+}
+
+static il_status set_pair(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    if (o->picture.what == IL_PICTURE_SLICES)
+        return il_fail(err, IL_E_USAGE, 0, two_pictures);
+    o->picture.what = IL_PICTURE_PAIR;
+    return parse_count(value, 0, LIMIT_MOST, &o->picture.pair, "--pair", err);
+}
+
 static il_status set_threads(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
     size_t n = 0;
-    il_status st = parse_count(value, IL_THREADS_MOST, &n, "--threads", err);
+    il_status st = parse_count(value, 1, IL_THREADS_MOST, &n, "--threads", err);
     o->threads = (int)n;
     return st;
 }
@@ -266,25 +288,30 @@ static il_status set_version(il_options *o, const char *value, bool on, il_error
 enum {
     CONVERT = 1 << IL_VERB_CONVERT, READ = 1 << IL_VERB_READ, MATCH = 1 << IL_VERB_MATCH,
     MESH = 1 << IL_VERB_MESH, INFO = 1 << IL_VERB_INFO, CHECK = 1 << IL_VERB_CHECK,
+    PLOT = 1 << IL_VERB_PLOT,
     READERS = CONVERT | READ | INFO, WRITERS = CONVERT | READ | MATCH | MESH,
-    LOFTERS = CONVERT | MESH | INFO, STREAMS = WRITERS | INFO, ALL = STREAMS | CHECK
+    LOFTERS = CONVERT | MESH | INFO, STREAMS = WRITERS | INFO, ALL = STREAMS | CHECK | PLOT
 };
 
 const il_option il_option_table[] = {
-    { 'o', "output", "FILE", IL_OPTION_VALUE, WRITERS,
+    { 'o', "output", "FILE", IL_OPTION_VALUE, WRITERS | PLOT,
       "write FILE, or DIR/ with one file a stack", "write FILE; DIR/: one file a stack; -: stdout", set_output },
     { 't', "output-format", "FORMAT", IL_OPTION_VALUE, WRITERS,
       "output format; else by the extension, or stl", "output format; else by the extension, or stl", set_to },
-    { 'f', "input-format", "FORMAT", IL_OPTION_VALUE, STREAMS,
+    { 'f', "input-format", "FORMAT", IL_OPTION_VALUE, STREAMS | PLOT,
       "input format; else by the first bytes", "input format; else by the first bytes", set_from },
     { 0, "pairs", "FILE", IL_OPTION_VALUE, CONVERT | MESH,
       "also write contours and correspondences", "also write contours and correspondences", set_pairs },
-    { 0, "stack", "PATTERN", IL_OPTION_VALUE, STREAMS,
+    { 0, "pair", "K", IL_OPTION_VALUE, PLOT,
+      NULL, "draw the pair above slice K, from 0", set_pair },
+    { 0, "slices", NULL, IL_OPTION_SWITCH, PLOT,
+      NULL, "draw all slices side by side", set_slices },
+    { 0, "stack", "PATTERN", IL_OPTION_VALUE, STREAMS | PLOT,
       "only stacks whose name matches", "only stacks whose name matches", set_stack },
     { 0, "unit", "U", IL_OPTION_VALUE, READERS,
       "what the input's numbers mean: um mm ... in ft",
       "what the input's numbers mean: um mm ... ft deg", set_unit },
-    { 0, "to", "U", IL_OPTION_VALUE, STREAMS,
+    { 0, "to", "U", IL_OPTION_VALUE, STREAMS | PLOT,
       "convert lengths to unit U", "convert lengths to unit U", set_to_unit },
     { 0, "spacing", "D", IL_OPTION_VALUE, READERS,
       "distance of slices that state no height", "distance of slices that state no height", set_spacing },
@@ -302,18 +329,18 @@ const il_option il_option_table[] = {
       NULL, "OBJ: a group for each stack (default) or slab", set_groups },
     { 0, "strict", NULL, IL_OPTION_SWITCH, STREAMS,
       "fail (3) where input was repaired or skipped", "fail (3) where input was repaired or skipped", set_strict },
-    { 0, "max-line", "BYTES", IL_OPTION_VALUE, READERS | MATCH | MESH | CHECK,
+    { 0, "max-line", "BYTES", IL_OPTION_VALUE, READERS | MATCH | MESH | CHECK | PLOT,
       NULL, "longest line that is read (default: 67108864)", set_max_line },
     { 0, "max-depth", "N", IL_OPTION_VALUE, READERS,
       NULL, "deepest nesting that is read (default: 1000)", set_max_depth },
-    { 0, "max-points", "N", IL_OPTION_VALUE, READERS | MATCH | MESH | CHECK,
+    { 0, "max-points", "N", IL_OPTION_VALUE, READERS | MATCH | MESH | CHECK | PLOT,
       NULL, "most vertices in one stack (default: 500000000)", set_max_points },
     { 0, "threads", "N", IL_OPTION_VALUE, ALL,
       "default: all processors; same bytes for any", "default: all processors; same bytes for any", set_threads },
     { 0, "json", "FILE", IL_OPTION_MAYBE, ALL,
       "account of the run, to FILE or stderr", "account of the run: FILE, or last on stderr", set_json },
     { 0, "progress", "WHEN", IL_OPTION_MAYBE, ALL,
-      "auto, always or never", "auto (on a terminal), always, never", set_progress },
+      NULL, "auto (on a terminal), always, never", set_progress },
     { 'q', "quiet", NULL, IL_OPTION_SWITCH, ALL,
       NULL, "errors only", set_quiet },
     { 'v', "verbose", NULL, IL_OPTION_SWITCH, ALL,
@@ -427,13 +454,20 @@ static bool parse_verb(il_options *o, const char *word)
 
 static il_status take_operand(il_options *o, const char *word, bool first, il_error *err)
 {
-    if (first && strcmp(word, "plot") == 0)
-        return il_fail(err, IL_E_USAGE, 0, "this version does not draw yet, but 'plot' is kept for it (file: ./plot)");
     if (first && parse_verb(o, word))
         return IL_OK;
     if (!il_grow(&o->input, &o->cap_inputs, o->n_inputs + 1, sizeof *o->input))
         return il_fail_nomem(err);
     o->input[o->n_inputs++] = word;
+    return IL_OK;
+}
+
+/* A picture is SVG, and so is its file. */
+static il_status settle_picture(il_options *o, const char *extension, il_error *err)
+{
+    o->to = &il_writer_picture;
+    if (*extension && strcmp(extension, "svg") != 0)
+        return il_fail(err, IL_E_USAGE, 0, "'plot' writes SVG, which a file with the extension '.%.40s' is not", extension);
     return IL_OK;
 }
 
@@ -445,6 +479,8 @@ static il_status settle_format(il_options *o, il_error *err)
         return IL_OK;
     bool named = o->output && strcmp(o->output, "-") != 0 && !il_destination_is_folder(o->output);
     const char *extension = named ? il_filename_extension(o->output) : "";
+    if (o->verb == IL_VERB_PLOT)
+        return settle_picture(o, extension, err);
     if (!o->to && *extension && !(o->to = il_writer_for_path(o->output)))
         return il_fail(err, IL_E_USAGE, 0, "no output format has the extension '.%.40s' (--formats lists them)",
                        extension);
@@ -471,7 +507,7 @@ static il_status check_outputs_differ(const il_options *o, il_error *err)
 
 static il_status check_inputs(const il_options *o, il_error *err)
 {
-    bool one = o->verb == IL_VERB_MATCH || o->verb == IL_VERB_MESH || o->verb == IL_VERB_CHECK;
+    bool one = o->verb == IL_VERB_MATCH || o->verb == IL_VERB_MESH || o->verb == IL_VERB_CHECK || o->verb == IL_VERB_PLOT;
     if (one && o->n_inputs > 1)
         return il_fail(err, IL_E_USAGE, 0, "'%s' takes one file", verb_names[o->verb]);
     size_t n_dashes = 0;

@@ -14,7 +14,8 @@
 #include <stddef.h>
 
 typedef enum il_verb {
-    IL_VERB_CONVERT, IL_VERB_READ, IL_VERB_MATCH, IL_VERB_MESH, IL_VERB_INFO, IL_VERB_CHECK, IL_N_VERBS
+    IL_VERB_CONVERT, IL_VERB_READ, IL_VERB_MATCH, IL_VERB_MESH, IL_VERB_INFO, IL_VERB_CHECK, IL_VERB_PLOT,
+    IL_N_VERBS
 } il_verb;
 
 /* What is to be done: the verb, or words about the program. */
@@ -41,6 +42,7 @@ typedef struct il_options {
     il_unit to_unit;
     il_read_options read;
     il_cap cap;
+    il_picture_options picture;
     il_matcher matcher;
     bool keep_lattices;
     int threads;

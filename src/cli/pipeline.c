@@ -131,7 +131,7 @@ static il_status open_outputs(pipeline *p, il_error *err)
         p->nowhere = (il_mesh_sink){ nowhere_begin, nowhere_piece, nowhere_end, nowhere_abandon, nowhere_finish };
         return IL_OK;
     }
-    il_write_options w = { comments, o->groups_by_slab };
+    il_write_options w = { comments, o->groups_by_slab, o->picture };
     il_status st = il_destination_open(&p->destination, o->output, o->to, &w, err);
     if (st == IL_OK) {
         p->account->options.file_of = il_destination_take_file;
@@ -200,6 +200,8 @@ static il_status build_matcher(pipeline *p, il_error *err)
 
 static il_status build_cleaner(pipeline *p, il_error *err)
 {
+    if (p->plan->draw)
+        return IL_OK;
     il_clean_options c = { .round_float = false };
     il_status st = il_cleaner_new(&p->cleaner, &c, p->first, &p->account->report, err);
     p->first = st == IL_OK ? p->cleaner : p->first;
@@ -281,7 +283,7 @@ static il_status run(pipeline *p, il_error *err)
     if (st == IL_OK)
         st = open_outputs(p, err);
     /* A native stream without stacks is whole, and is handed on as one. */
-    p->account->options.empty_allowed = p->plan->survey || (p->reader == &il_reader_loft && !p->plan->loft);
+    p->account->options.empty_allowed = p->plan->survey || (p->reader == &il_reader_loft && !p->plan->loft && !p->plan->draw);
     if (st == IL_OK)
         st = build_stages(p, err);
     if (st == IL_OK)

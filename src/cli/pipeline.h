@@ -12,9 +12,10 @@
 #include "cli/options.h"
 
 /* native_only: the input has to be a native stream.  match, loft: these stages
- * take part.  survey: nothing is written, and no stack ends the run. */
+ * take part.  survey: nothing is written, and no stack ends the run.  draw: a
+ * picture is made of the contours as they are; none is cleaned. */
 typedef struct il_plan {
-    bool native_only, match, loft, survey;
+    bool native_only, match, loft, survey, draw;
 } il_plan;
 
 /* What a run has found out: the account (to il_account_free), and its time. */

@@ -142,6 +142,8 @@ static il_status map_upper(group_match *m, il_error *err)
             st = note_image(m, &m->image[g->upper[i]], ring, begin, err);
         begin += ring->n;
     }
+    if (st == IL_OK)
+        il_course_set_normals(&m->course[1]);
     return st;
 }
 
@@ -157,7 +159,8 @@ static il_status lay(group_match *m, int side, il_course *course, il_error *err)
         st = il_course_add(course, m->xy[side] + 2 * begin, n, NULL, 0, err);
         begin += n;
     }
-    il_course_set_normals(course);
+    if (st == IL_OK)
+        il_course_set_normals(course);
     return st;
 }
 
@@ -229,7 +232,6 @@ il_status il_group_match(il_pair *pair, il_group *g, const il_slice *lower, cons
         st = map_upper(&m, err);
     if (st == IL_OK)
         st = lay(&m, 0, &m.course[0], err);
-    il_course_set_normals(&m.course[1]);
     if (st == IL_OK)
         st = il_correspond(&m.found, &m.course[0], &m.course[1], false, solver, err);
     if (st == IL_OK && !record_arcs(&m))

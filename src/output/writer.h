@@ -6,16 +6,27 @@
 #include "model/mesh.h"
 #include "model/sink.h"
 
-/* What the mesh writers are told.  comment: lines for headers that have room
+/* Pictures: all pairs of each stack, or the slices of one that has none; the
+ * slices; the pair above slice PAIR, from 0. */
+typedef enum il_picture { IL_PICTURE_AUTO, IL_PICTURE_SLICES, IL_PICTURE_PAIR } il_picture;
+typedef struct il_picture_options {
+    il_picture what;
+    size_t pair;
+} il_picture_options;
+
+/* What the writers are told.  comment: lines for headers that have room
  * (null-terminated list, borrowed, made printable there; or null).
- * groups_by_slab: OBJ begins a group with each slab, not only with each stack. */
+ * groups_by_slab: OBJ begins a group with each slab, not only with each stack.
+ * picture: what a picture shows. */
 typedef struct il_write_options {
     const char *const *comment;
     bool groups_by_slab;
+    il_picture_options picture;
 } il_write_options;
 
 /* name: as after -t.  extension: the one that chooses it, or "" when another
- * entry has it.  Either mesh_new or contours_new is set: what it takes.
+ * entry has it.  One of mesh_new, contours_new and picture_new is set: what it
+ * takes; contours_free frees the sinks of the last two.
  * mesh_new: a mesh sink that spools and writes to TO (borrowed) at `finish`;
  * nothing reaches TO before.  The caller commits TO, and with it the MTL that
  * OBJ puts beside a regular file.  Positions come in the stack's coordinates;
@@ -28,6 +39,7 @@ typedef struct il_writer {
     il_status (*mesh_new)(il_mesh_sink **out, il_output *to, const il_write_options *o, il_error *err);
     void (*mesh_free)(il_mesh_sink *s);
     il_status (*contours_new)(il_sink **out, il_output *to, il_error *err);
+    il_status (*picture_new)(il_sink **out, il_output *to, const il_write_options *o, il_error *err);
     void (*contours_free)(il_sink *s);
 } il_writer;
 

@@ -8,9 +8,10 @@
 #include <math.h>
 #include <string.h>
 
-/* An edge's image is broken where its chord is further off than this, in cells;
- * edges shorter than SHORT cannot be bent so far by lattices 4 cells apart. */
-static const double CHORD = 0.5, SHORT = 2;
+/* An edge's image is broken where its chord is further off than this, in cells.
+ * What is short before and after is taken for straight; of what is long before
+ * or after, the middle alone does not tell. */
+static const double CHORD = 0.5, SHORT = 2, LONG = 16;
 
 typedef struct group_match {
     il_pair *pair;
@@ -75,13 +76,13 @@ static bool add_part(group_match *m, uint32_t vertex, const double a[2], const d
                      double t0, const double p[2], double t1, const double q[2], int depth)
 {
     double length = hypot(b[0] - a[0], b[1] - a[1]) * (t1 - t0);
+    length = fmax(length, hypot(q[0] - p[0], q[1] - p[1]));
     if (depth == 0 || length < SHORT)
         return add_row(m, vertex, t0, p);
     double t = (t0 + t1) / 2, middle[2] = { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]) };
     il_fit_apply(&m->fit, middle, 1);
     double off = hypot(middle[0] - (p[0] + q[0]) / 2, middle[1] - (p[1] + q[1]) / 2);
-    /* long edges may bend both ways and still pass near their middle */
-    if (off <= CHORD && length <= 16)
+    if (off <= CHORD && length <= LONG)
         return add_row(m, vertex, t0, p);
     return add_part(m, vertex, a, b, t0, p, t, middle, depth - 1) &&
            add_part(m, vertex, a, b, t, middle, t1, q, depth - 1);

@@ -12,9 +12,12 @@ void il_outcome_free(il_outcome *o)
     *o = (il_outcome)IL_OUTCOME_INIT;
 }
 
-/* Judge the surface between copies of the sections, which are given its insertions. */
-static il_status judge(il_outcome *out, const il_task *task, il_error *err)
+/* Judge the surface between copies of the sections, which are given its insertions.
+ * Where phi is the identity the surface has no folds: it is a graph over the
+ * plane but for its walls. */
+static il_status judge(il_outcome *out, const il_task *task, bool deformed, il_error *err)
 {
+    static const double LEAST_ANGLE = 1e-7, LEAST_ANGLE_FLOAT = 1e-3;
     il_section below = IL_SECTION_INIT, above = IL_SECTION_INIT;
     const il_surface *s = &out->surface;
     il_status st = il_section_copy(&below, task->lower, err);
@@ -26,6 +29,8 @@ static il_status judge(il_outcome *out, const il_task *task, il_error *err)
         st = il_section_insert(&above, s->insertion[1], s->n_insertions[1], err);
     if (st == IL_OK)
         st = il_certify(s, &below, &above, &out->verdict, err);
+    if (st == IL_OK && deformed && out->verdict.flaw == IL_FLAW_NONE)
+        st = il_certify_unfolded(s, &below, &above, task->round_float ? LEAST_ANGLE_FLOAT : LEAST_ANGLE, &out->verdict, err);
     il_section_free(&below);
     il_section_free(&above);
     return st;
@@ -44,7 +49,7 @@ static il_status build_and_judge(il_outcome *out, const il_task *task, const il_
     if (st == IL_OK && sound) {
         st = il_build_surface(&out->surface, &o, &options, err);
         if (st == IL_OK)
-            st = judge(out, task, err);
+            st = judge(out, task, r->deformed, err);
     }
     il_overlay_free(&o);
     return st;

@@ -523,6 +523,39 @@ il_status il_seams_lay(il_seam **seam, size_t *n_seams, const il_section *lower,
     return st;
 }
 
+double il_seams_length(const il_seam *seam, size_t n)
+{
+    double length = 0;
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 1; k < seam[i].n; k++)
+            length += hypot(seam[i].v[k].xy[0] - seam[i].v[k - 1].xy[0], seam[i].v[k].xy[1] - seam[i].v[k - 1].xy[1]);
+    return length;
+}
+
+/* Leave edge K out of S, and the lesser part. */
+static void cut_at(il_seam *s, size_t k)
+{
+    if (k < s->n / 2) {
+        memmove(s->v, s->v + k + 1, (s->n - k - 1) * sizeof *s->v);
+        s->n -= k + 1;
+    } else {
+        s->n = k + 1;
+    }
+    if (s->n < 2)
+        s->n = 0;
+}
+
+bool il_seams_cut(il_seam *seam, size_t n, uint32_t station, double t)
+{
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k + 1 < seam[i].n; k++)
+            if (seam[i].v[k].station[IL_UPPER] == station && seam[i].v[k].t[IL_UPPER] == t) {
+                cut_at(&seam[i], k);
+                return true;
+            }
+    return false;
+}
+
 void il_seams_free(il_seam *seam, size_t n)
 {
     for (size_t i = 0; seam && i < n; i++)

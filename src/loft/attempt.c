@@ -137,8 +137,11 @@ static il_status cut_folds(const il_reference *r, int exponent, il_seam *seam, s
     if (st == IL_E_INPUT)
         return IL_OK;
     for (size_t i = 0; st == IL_OK && !injective && i < 2 * snapped.n_folds; i++) {
-        const il_ref_vertex *v = &r->side[IL_UPPER].vertex[snapped.fold[i]];
-        if (v->matched && il_seams_cut(seam, n, v->station, v->t))
+        const il_ref_side *side = &r->side[IL_UPPER];
+        const il_ref_vertex *v = &side->vertex[snapped.fold[i]], *end = &side->vertex[side->next[snapped.fold[i]]];
+        if (v->matched)
+            *cut |= il_seams_cut(seam, n, v->station, v->t);
+        else if (il_seams_cut_end(seam, n, v->station, v->t) || il_seams_cut_end(seam, n, end->station, end->t))
             *cut = true;
     }
     if (st == IL_OK)

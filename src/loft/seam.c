@@ -532,27 +532,41 @@ double il_seams_length(const il_seam *seam, size_t n)
     return length;
 }
 
-/* Leave edge K out of S, and the lesser part. */
-static void cut_at(il_seam *s, size_t k)
+/* Keep the N vertices of S from FIRST on. */
+static void keep(il_seam *s, size_t first, size_t n)
 {
-    if (k < s->n / 2) {
-        memmove(s->v, s->v + k + 1, (s->n - k - 1) * sizeof *s->v);
-        s->n -= k + 1;
-    } else {
-        s->n = k + 1;
-    }
-    if (s->n < 2)
-        s->n = 0;
+    memmove(s->v, s->v + first, n * sizeof *s->v);
+    s->n = n < 2 ? 0 : n;
+}
+
+static bool is_at(const il_seam_vertex *v, uint32_t station, double t)
+{
+    return v->station[IL_UPPER] == station && v->t[IL_UPPER] == t;
 }
 
 bool il_seams_cut(il_seam *seam, size_t n, uint32_t station, double t)
 {
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k + 1 < seam[i].n; k++)
-            if (seam[i].v[k].station[IL_UPPER] == station && seam[i].v[k].t[IL_UPPER] == t) {
-                cut_at(&seam[i], k);
+            if (is_at(&seam[i].v[k], station, t)) {
+                bool front = k < seam[i].n / 2;
+                keep(&seam[i], front ? k + 1 : 0, front ? seam[i].n - k - 1 : k + 1);
                 return true;
             }
+    return false;
+}
+
+bool il_seams_cut_end(il_seam *seam, size_t n, uint32_t station, double t)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (seam[i].n == 0)
+            continue;
+        bool first = is_at(&seam[i].v[0], station, t), last = is_at(&seam[i].v[seam[i].n - 1], station, t);
+        if (first || last) {
+            keep(&seam[i], first, seam[i].n - 1);
+            return true;
+        }
+    }
     return false;
 }
 

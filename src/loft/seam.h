@@ -33,6 +33,9 @@ double il_seams_length(const il_seam *seam, size_t n);
  * end.  False when it is in none. */
 bool il_seams_cut(il_seam *seam, size_t n, uint32_t station, double t);
 
+/* The same for a vertex that a seam begins or ends with: take it away. */
+bool il_seams_cut_end(il_seam *seam, size_t n, uint32_t station, double t);
+
 void il_seams_free(il_seam *seam, size_t n);
 
 #endif

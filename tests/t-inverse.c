@@ -44,7 +44,7 @@ static void set_up(bench *b, const warp *w)
         assert_int_equal(il_section_from_slice(&b->section[k], &b->slice[k], NULL), IL_OK);
     b->pair = warp_pair(&b->slice[0], &b->slice[1], w);
     assert_int_equal(il_phi_index(&b->phi, &b->pair, &b->section[1], NULL), IL_OK);
-    assert_int_equal(il_reference_deform(&b->r, &b->section[0], &b->section[1], &b->phi, 0, NULL), IL_OK);
+    assert_int_equal(il_reference_deform(&b->r, &b->section[0], &b->section[1], &b->phi, NULL, 0, 0, NULL), IL_OK);
     b->r.fit = &b->pair.group[0].fit;
     assert_int_equal(il_snap(&b->snapped, &b->r, il_snap_first_exponent(&b->r, false), &injective, NULL), IL_OK);
     assert_true(injective);

@@ -12,9 +12,12 @@ void il_outcome_free(il_outcome *o)
     *o = (il_outcome)IL_OUTCOME_INIT;
 }
 
-/* Judge the surface between copies of the sections, which are given its insertions. */
-static il_status judge(il_outcome *out, const il_task *task, il_error *err)
+/* Judge the surface between copies of the sections, which are given its insertions.
+ * Where phi is the identity the surface has no folds: it is a graph over the
+ * plane but for its walls. */
+static il_status judge(il_outcome *out, const il_task *task, bool deformed, il_error *err)
 {
+    static const double LEAST_ANGLE = 1e-7, LEAST_ANGLE_FLOAT = 1e-3;
     il_section below = IL_SECTION_INIT, above = IL_SECTION_INIT;
     const il_surface *s = &out->surface;
     il_status st = il_section_copy(&below, task->lower, err);
@@ -26,6 +29,8 @@ static il_status judge(il_outcome *out, const il_task *task, il_error *err)
         st = il_section_insert(&above, s->insertion[1], s->n_insertions[1], err);
     if (st == IL_OK)
         st = il_certify(s, &below, &above, &out->verdict, err);
+    if (st == IL_OK && deformed && out->verdict.flaw == IL_FLAW_NONE)
+        st = il_certify_unfolded(s, &below, &above, task->round_float ? LEAST_ANGLE_FLOAT : LEAST_ANGLE, &out->verdict, err);
     il_section_free(&below);
     il_section_free(&above);
     return st;
@@ -44,7 +49,7 @@ static il_status build_and_judge(il_outcome *out, const il_task *task, const il_
     if (st == IL_OK && sound) {
         st = il_build_surface(&out->surface, &o, &options, err);
         if (st == IL_OK)
-            st = judge(out, task, err);
+            st = judge(out, task, r->deformed, err);
     }
     il_overlay_free(&o);
     return st;
@@ -121,32 +126,85 @@ static il_status try_grids(il_outcome *out, const il_task *task, const il_refere
     return IL_OK;
 }
 
-/* Attempt S, or P without the matched arcs. */
+/* Cut the seams at the folds of R as snapped: an arc laid on the other may be in
+ * the way of what is next to it.  *CUT: was there anything to cut? */
+static il_status cut_folds(const il_reference *r, int exponent, il_seam *seam, size_t n, bool *cut, il_error *err)
+{
+    il_snapped snapped;
+    bool injective;
+    *cut = false;
+    il_status st = il_snap(&snapped, r, exponent, &injective, err);
+    if (st == IL_E_INPUT)
+        return IL_OK;
+    for (size_t i = 0; st == IL_OK && !injective && i < 2 * snapped.n_folds; i++) {
+        const il_ref_side *side = &r->side[IL_UPPER];
+        const il_ref_vertex *v = &side->vertex[snapped.fold[i]], *end = &side->vertex[side->next[snapped.fold[i]]];
+        if (v->matched)
+            *cut |= il_seams_cut(seam, n, v->station, v->t);
+        else if (il_seams_cut_end(seam, n, v->station, v->t) || il_seams_cut_end(seam, n, end->station, end->t))
+            *cut = true;
+    }
+    if (st == IL_OK)
+        il_snapped_free(&snapped);
+    return st;
+}
+
+/* R with the seams SEAM[N], cut until they are in nothing's way. */
+static il_status lay_seams(il_reference *r, const il_task *task, il_seam *seam, size_t n, double near, int exponent, il_error *err)
+{
+    enum { ROUNDS = 16 };
+    bool cut = n > 0;
+    il_status st = il_reference_deform(r, task->lower, task->upper, task->phi, seam, n, near, err);
+    for (int round = 0; st == IL_OK && cut && round < ROUNDS; round++) {
+        st = cut_folds(r, exponent, seam, n, &cut, err);
+        if (st == IL_OK && !cut)
+            break;
+        il_reference_free(r);
+        if (st == IL_OK)
+            st = il_reference_deform(r, task->lower, task->upper, task->phi, seam, n, near, err);
+    }
+    return st;
+}
+
+/* The exponent with which to begin for the group's slices, the upper one at phi. */
+static il_status first_exponent(const il_task *task, int *first, il_error *err)
+{
+    il_reference r;
+    il_status st = il_reference_deform(&r, task->lower, task->upper, task->phi, NULL, 0, 0, err);
+    if (st != IL_OK)
+        return st;
+    *first = il_snap_first_exponent(&r, task->round_float);
+    il_reference_free(&r);
+    return IL_OK;
+}
+
+/* Attempts S, with the group's arcs as seams, and P, without. */
 static il_status attempt_deformed(il_outcome *out, const il_task *task, il_attempt attempt, il_error *err)
 {
     static const double NEAR = 8; /* cells */
-    il_reference r;
-    il_status st = il_reference_deform(&r, task->lower, task->upper, task->phi, 0, err);
+    il_reference r = { 0 };
+    il_seam *seam = NULL;
+    size_t n = 0;
+    int first;
+    il_status st = first_exponent(task, &first, err);
     if (st != IL_OK)
         return st;
-    int first = il_snap_first_exponent(&r, task->round_float);
-    il_reference_free(&r);
     double near = ldexp(NEAR, first);
     if (attempt == IL_ATTEMPT_S)
-        st = il_reference_match(&r, task->lower, task->upper, task->phi, task->match, task->n_matches, near, err);
-    else
-        st = il_reference_deform(&r, task->lower, task->upper, task->phi, near, err);
-    if (st != IL_OK)
-        return st;
+        st = il_seams_lay(&seam, &n, task->lower, task->upper, task->phi, task->match, task->n_matches, near, err);
+    double matched = il_seams_length(seam, n);
+    if (st == IL_OK)
+        st = lay_seams(&r, task, seam, n, near, first, err);
     r.outside = task->outside;
     r.fit = task->fit;
     out->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
-    if (attempt == IL_ATTEMPT_P || r.matched_length > 0)
+    if (st == IL_OK && (attempt == IL_ATTEMPT_P || il_seams_length(seam, n) > 0))
         st = try_grids(out, task, &r, first, err);
     out->attempt = attempt;
-    if (attempt == IL_ATTEMPT_S && out->surface.walled < 0.9 * r.matched_length)
+    if (attempt == IL_ATTEMPT_S && out->surface.walled < 0.9 * matched)
         out->attempt = IL_ATTEMPT_P;
     il_reference_free(&r);
+    il_seams_free(seam, n);
     return st;
 }
 

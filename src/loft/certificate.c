@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "bridge/intersection.h"
 
+#include <math.h>
 #include <string.h>
 
 const char *il_flaw_words(il_flaw f)
@@ -100,6 +101,69 @@ il_status il_certify_edges(const il_surface *s, const il_section *lower, const i
             flaw_at(v, flaw, s, lower, upper, where);
     }
     il_keymap_free(&count);
+    return IL_OK;
+}
+
+/* ---- folds ---- */
+
+static void subtract(const double a[3], const double b[3], double out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[k] - b[k];
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* P less its part along AXIS. */
+static void across(const double axis[3], double p[3])
+{
+    double along = dot(p, axis) / dot(axis, axis);
+    for (int k = 0; k < 3; k++)
+        p[k] -= along * axis[k];
+}
+
+/* Is the angle at edge AB between the triangles with the corners C and D below ANGLE? */
+static bool is_fold(double p[4][3], double angle)
+{
+    double axis[3], c[3], d[3], e[3];
+    subtract(p[1], p[0], axis);
+    subtract(p[2], p[0], c);
+    subtract(p[3], p[0], d);
+    across(axis, c);
+    across(axis, d);
+    double lengths = sqrt(dot(c, c)) * sqrt(dot(d, d));
+    if (!(dot(c, d) > 0.5 * lengths)) /* also when there is no telling */
+        return false;
+    e[0] = c[1] * d[2] - c[2] * d[1], e[1] = c[2] * d[0] - c[0] * d[2], e[2] = c[0] * d[1] - c[1] * d[0];
+    return sqrt(dot(e, e)) < angle * lengths;
+}
+
+il_status il_certify_unfolded(const il_surface *s, const il_section *lower, const il_section *upper,
+                              double angle, il_verdict *verdict, il_error *err)
+{
+    il_keymap apex = IL_KEYMAP_INIT; /* half-edge -> the corner opposite */
+    if (!il_keymap_reserve(&apex, 3 * s->n_triangles))
+        return il_fail_nomem(err);
+    for (size_t i = 0; i < 3 * s->n_triangles; i++) {
+        const uint32_t *t = s->tri + i - i % 3;
+        il_keymap_put(&apex, t[i % 3], t[(i + 1) % 3], t[(i + 2) % 3]);
+    }
+    for (size_t i = 0; verdict->flaw == IL_FLAW_NONE && i < 3 * s->n_triangles; i++) {
+        const uint32_t *t = s->tri + i - i % 3;
+        uint32_t v[4] = { t[i % 3], t[(i + 1) % 3], t[(i + 2) % 3], 0 };
+        v[3] = il_keymap_get(&apex, v[1], v[0], UINT32_MAX);
+        if (v[0] > v[1] || v[3] == UINT32_MAX)
+            continue;
+        double p[4][3];
+        for (int k = 0; k < 4; k++)
+            il_surface_position(s, lower, upper, v[k], p[k]);
+        if (is_fold(p, angle))
+            flaw_at(verdict, IL_FLAW_CROSSING, s, lower, upper, v[0]);
+    }
+    il_keymap_free(&apex);
     return IL_OK;
 }
 

@@ -35,6 +35,12 @@ il_status il_certify(const il_surface *s, const il_section *lower, const il_sect
 il_status il_certify_edges(const il_surface *s, const il_section *lower, const il_section *upper,
                            il_verdict *verdict, il_error *err);
 
+/* Look for two triangles at an edge that lie on each other but for an angle below
+ * ANGLE (radians): sound as they are, but not when a neighbour slab puts a point
+ * on one of them, which moves it by an ulp.  They count as crossing. */
+il_status il_certify_unfolded(const il_surface *s, const il_section *lower, const il_section *upper,
+                              double angle, il_verdict *verdict, il_error *err);
+
 /* Part (c) between groups of triangles: which of them meet (bridge/intersection.h). */
 il_status il_certify_between(const il_surface *s, const il_section *lower, const il_section *upper,
                              const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err);

@@ -1,7 +1,6 @@
 #include "config.h"
 #include "loft/reference.h"
 #include "base/alloc.h"
-#include "loft/seam.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -157,17 +156,6 @@ static bool fill_side(il_ref_side *side, const il_section *s, gathering *g, doub
     return true;
 }
 
-static double matched_length(const il_ref_side *side)
-{
-    double length = 0;
-    for (size_t i = 0; i < side->n; i++) {
-        const il_ref_vertex *a = &side->vertex[i], *b = &side->vertex[side->next[i]];
-        if (a->matched)
-            length += hypot(b->x - a->x, b->y - a->y);
-    }
-    return length;
-}
-
 static bool gather(il_reference *r, const il_phi *phi, const il_seam *seam, size_t n, double near)
 {
     bool ok = true;
@@ -179,27 +167,15 @@ static bool gather(il_reference *r, const il_phi *phi, const il_seam *seam, size
         ok = ok && fill_side(&r->side[k], r->section[k], &g, near);
         il_free(g.list);
     }
-    r->matched_length = matched_length(&r->side[IL_LOWER]);
     return ok;
 }
 
-il_status il_reference_deform(il_reference *r, const il_section *lower, const il_section *upper,
-                              const il_phi *phi, double near, il_error *err)
+il_status il_reference_deform(il_reference *r, const il_section *lower, const il_section *upper, const il_phi *phi,
+                              const il_seam *seam, size_t n, double near, il_error *err)
 {
-    return il_reference_match(r, lower, upper, phi, NULL, 0, near, err);
-}
-
-il_status il_reference_match(il_reference *r, const il_section *lower, const il_section *upper,
-                             const il_phi *phi, const uint32_t *match, size_t n, double near, il_error *err)
-{
-    il_seam *seam = NULL;
-    size_t n_seams = 0;
     *r = (il_reference){ .section = { lower, upper }, .deformed = true };
-    il_status st = il_seams_lay(&seam, &n_seams, lower, upper, phi, match, n, near, err);
-    if (st == IL_OK && !gather(r, phi, seam, n_seams, near))
-        st = il_fail_nomem(err);
-    il_seams_free(seam, n_seams);
-    if (st != IL_OK)
-        il_reference_free(r);
-    return st;
+    if (gather(r, phi, seam, n, near))
+        return IL_OK;
+    il_reference_free(r);
+    return il_fail_nomem(err);
 }

@@ -7,7 +7,7 @@
 #ifndef IL_LOFT_REFERENCE_H
 #define IL_LOFT_REFERENCE_H
 
-#include "loft/phi.h"
+#include "loft/seam.h"
 
 /* Both regions, as in IL_EDGE_LOWER | IL_EDGE_UPPER (overlay.h). */
 enum { IL_OUTSIDE_SOLID = 3 };
@@ -33,31 +33,24 @@ typedef struct il_ref_side {
 
 /* outside: what the rings lie in, nothing (0) or solid in both slices
  * (IL_OUTSIDE_SOLID), as for a group of holes.  deformed: phi is not the
- * identity; fit then tells of its surroundings, or is null.  matched_length: of
- * the lower side's matched edges. */
+ * identity; fit then tells of its surroundings, or is null. */
 typedef struct il_reference {
     const il_section *section[2];
     il_ref_side side[2];
     unsigned char outside;
     bool deformed;
     const il_fit *fit;
-    double matched_length;
 } il_reference;
 
 /* Reference rings for phi = identity (attempt B).  The sections are borrowed
  * and must outlive R. */
 il_status il_reference_build(il_reference *r, const il_section *lower, const il_section *upper, il_error *err);
 
-/* With the upper side at phi (attempt P): its edges bend where phi has rows, but
- * for rows less than NEAR from a neighbour. */
-il_status il_reference_deform(il_reference *r, const il_section *lower, const il_section *upper,
-                              const il_phi *phi, double near, il_error *err);
-
-/* As il_reference_deform, with the arcs match[N] of PHI's pair laid on each other
- * (attempt S), upper vertices less than NEAR from lower ones on these.  Arcs
- * that cannot be laid down, alone or beside the others, are left out. */
-il_status il_reference_match(il_reference *r, const il_section *lower, const il_section *upper,
-                             const il_phi *phi, const uint32_t *match, size_t n, double near, il_error *err);
+/* With the upper side at phi: its edges bend where phi has rows, but for rows
+ * less than NEAR from a neighbour; and with the seams seam[N] laid down (attempt
+ * S; without any: P). */
+il_status il_reference_deform(il_reference *r, const il_section *lower, const il_section *upper, const il_phi *phi,
+                              const il_seam *seam, size_t n, double near, il_error *err);
 
 void il_reference_free(il_reference *r);
 

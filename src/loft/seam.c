@@ -523,6 +523,53 @@ il_status il_seams_lay(il_seam **seam, size_t *n_seams, const il_section *lower,
     return st;
 }
 
+double il_seams_length(const il_seam *seam, size_t n)
+{
+    double length = 0;
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 1; k < seam[i].n; k++)
+            length += hypot(seam[i].v[k].xy[0] - seam[i].v[k - 1].xy[0], seam[i].v[k].xy[1] - seam[i].v[k - 1].xy[1]);
+    return length;
+}
+
+/* Keep the N vertices of S from FIRST on. */
+static void keep(il_seam *s, size_t first, size_t n)
+{
+    memmove(s->v, s->v + first, n * sizeof *s->v);
+    s->n = n < 2 ? 0 : n;
+}
+
+static bool is_at(const il_seam_vertex *v, uint32_t station, double t)
+{
+    return v->station[IL_UPPER] == station && v->t[IL_UPPER] == t;
+}
+
+bool il_seams_cut(il_seam *seam, size_t n, uint32_t station, double t)
+{
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k + 1 < seam[i].n; k++)
+            if (is_at(&seam[i].v[k], station, t)) {
+                bool front = k < seam[i].n / 2;
+                keep(&seam[i], front ? k + 1 : 0, front ? seam[i].n - k - 1 : k + 1);
+                return true;
+            }
+    return false;
+}
+
+bool il_seams_cut_end(il_seam *seam, size_t n, uint32_t station, double t)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (seam[i].n == 0)
+            continue;
+        bool first = is_at(&seam[i].v[0], station, t), last = is_at(&seam[i].v[seam[i].n - 1], station, t);
+        if (first || last) {
+            keep(&seam[i], first, seam[i].n - 1);
+            return true;
+        }
+    }
+    return false;
+}
+
 void il_seams_free(il_seam *seam, size_t n)
 {
     for (size_t i = 0; seam && i < n; i++)

@@ -25,6 +25,17 @@ typedef struct il_seam {
 il_status il_seams_lay(il_seam **seam, size_t *n_seams, const il_section *lower, const il_section *upper,
                        const il_phi *phi, const uint32_t *match, size_t n, double near, il_error *err);
 
+/* The length of all in the reference plane, unit. */
+double il_seams_length(const il_seam *seam, size_t n);
+
+/* The edge that begins on edge STATION of the upper section at T is in the way of
+ * another: leave it out of its seam, with all between it and the seam's nearer
+ * end.  False when it is in none. */
+bool il_seams_cut(il_seam *seam, size_t n, uint32_t station, double t);
+
+/* The same for a vertex that a seam begins or ends with: take it away. */
+bool il_seams_cut_end(il_seam *seam, size_t n, uint32_t station, double t);
+
 void il_seams_free(il_seam *seam, size_t n);
 
 #endif

@@ -10,7 +10,7 @@
 
 __extension__ typedef __int128 wide; /* products of two 54-bit differences */
 
-enum { MAX_ROUNDS = 24, LEAST_EXPONENT = -1022 }; /* below, 1 / cell overflows */
+enum { MAX_ROUNDS = 24, MAX_FOLDS = 64, LEAST_EXPONENT = -1022 }; /* below, 1 / cell overflows */
 static const size_t MAX_PAIRS = 20 * 1000 * 1000;
 /* A deformation that makes more candidates than this for each edge is wrong:
  * measured are 2 to 12. */
@@ -188,6 +188,18 @@ static int sign(wide v)
     return (v > 0) - (v < 0);
 }
 
+static bool add_fold(il_snapped *o, uint32_t i, uint32_t j)
+{
+    if (o->n_folds == MAX_FOLDS)
+        return true;
+    if (!il_grow(&o->fold, &o->cap_folds, 2 * (o->n_folds + 1), sizeof *o->fold))
+        return false;
+    o->fold[2 * o->n_folds] = i;
+    o->fold[2 * o->n_folds + 1] = j;
+    o->n_folds++;
+    return true;
+}
+
 static bool cut_pair(snapper *s, uint32_t p, uint32_t q)
 {
     const piece e = s->piece[p], f = s->piece[q];
@@ -203,7 +215,7 @@ static bool cut_pair(snapper *s, uint32_t p, uint32_t q)
         return true;
     if (s->deformed && s->whole && (p < s->n_lower) == (q < s->n_lower)) {
         s->folded = true;
-        return true;
+        return p < s->n_lower || add_fold(s->out, (uint32_t)(p - s->n_lower), (uint32_t)(q - s->n_lower));
     }
     /* they cross at e.a + t (e.b - e.a), t = ea / (ea - eb) */
     long double t = (long double)ea / (long double)(ea - eb);
@@ -235,7 +247,7 @@ static il_status find_cuts(snapper *s, il_error *err)
         return il_fail_nomem(err);
     s->n_cuts = 0;
     il_status st = il_box_pairs(box, s->n_pieces, s->max_pairs, &pair, &n_pairs, err);
-    for (size_t i = 0; st == IL_OK && i < n_pairs && !s->folded; i++)
+    for (size_t i = 0; st == IL_OK && i < n_pairs && s->out->n_folds < MAX_FOLDS; i++)
         if (!cut_pair(s, pair[2 * i], pair[2 * i + 1]))
             st = il_fail_nomem(err);
     il_free(pair);
@@ -328,31 +340,39 @@ static bool collect_runs(snapper *s, const il_reference *r)
     return true;
 }
 
+/* Who visits a grid point: a node, or POINT, and from which reference vertex. */
+typedef struct visitor {
+    int32_t who;
+    uint32_t vertex;
+} visitor;
+
 /* I1: one side visits each grid point once, or as often as rings touch in the
  * one real node that stands there. */
-static il_status is_injective(const il_snapped *o, const il_reference *r, bool *injective, il_error *err)
+static il_status is_injective(il_snapped *o, const il_reference *r, bool *injective, il_error *err)
 {
     enum { FREE = -1, POINT = -2 };
-    int32_t *visitor = il_alloc(o->n, sizeof *visitor);
-    if (!visitor)
-        return il_fail_nomem(err);
-    for (int k = 0; k < 2 && *injective; k++) {
+    visitor *list = il_alloc(o->n, sizeof *list);
+    il_status st = list ? IL_OK : il_fail_nomem(err);
+    for (int k = 0; st == IL_OK && k < 2 && *injective; k++) {
         for (size_t i = 0; i < o->n; i++)
-            visitor[i] = FREE;
-        for (size_t i = 0; i < r->side[k].n; i++) {
+            list[i].who = FREE;
+        for (uint32_t i = 0; i < r->side[k].n; i++) {
             const il_ref_vertex *v = &r->side[k].vertex[i];
             for (uint32_t j = o->run[k][i]; j < o->run[k][i + 1]; j++) {
                 bool is_node = j == o->run[k][i] && v->t == 0;
                 int32_t who = is_node ? (int32_t)r->section[k]->node_at[v->station] : POINT;
-                int32_t *there = &visitor[o->point[k][j]];
-                if (*there != FREE && (*there == POINT || *there != who))
+                visitor *there = &list[o->point[k][j]];
+                if (there->who != FREE && (there->who == POINT || there->who != who)) {
                     *injective = false;
-                *there = who;
+                    if (k == IL_UPPER && r->deformed && !add_fold(o, there->vertex, i))
+                        st = il_fail_nomem(err);
+                }
+                *there = (visitor){ who, i };
             }
         }
     }
-    il_free(visitor);
-    return IL_OK;
+    il_free(list);
+    return st;
 }
 
 il_status il_snap(il_snapped *out, const il_reference *r, int exponent, bool *injective, il_error *err)
@@ -402,6 +422,7 @@ void il_snapped_free(il_snapped *s)
         il_free(s->run[k]);
         il_free(s->point[k]);
     }
+    il_free(s->fold);
     memset(s, 0, sizeof *s);
 }
 

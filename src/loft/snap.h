@@ -19,12 +19,15 @@
  * from `origin`.  run[side][i] .. run[side][i + 1] is the part of point[side]
  * that edge i of the reference side passes: its start and what lies between,
  * without its end. */
+/* fold[2*n_folds]: edges of the deformed upper side that cross or touch where the
+ * slice does not, by their reference vertices; not all of them. */
 typedef struct il_snapped {
     double cell, origin[2];
     int64_t *x, *y;          size_t n, cap_x, cap_y;
     uint32_t *run[2];
     uint32_t *point[2];
     size_t n_points[2];
+    uint32_t *fold;          size_t n_folds, cap_folds;
 } il_snapped;
 
 /* Snap R to cells of 2^EXPONENT.  *INJECTIVE tells whether no grid point is

@@ -19,7 +19,8 @@ void il_fit_free(il_fit *f)
 
 bool il_fit_is_trusted(const il_fit *f)
 {
-    return f->distortion <= IL_DISTORTION_MOST && f->least_jacobian > 0;
+    const double *g = f->global;
+    return f->distortion <= IL_DISTORTION_MOST && f->least_jacobian >= IL_SQUEEZE_MOST * (g[0] * g[3] - g[1] * g[2]);
 }
 
 static void free_group(il_group *g)

@@ -154,22 +154,40 @@ static bool list_arcs(corresponder *c, size_t l0, size_t l1, size_t u0, size_t u
     return true;
 }
 
-/* Mean and largest distance of the pairs of the best monotone pairing. */
+static double to_segment(const il_zip_vertex *p, const il_zip_vertex *a, const il_zip_vertex *b)
+{
+    double dx = b->x - a->x, dy = b->y - a->y, length2 = dx * dx + dy * dy;
+    double t = length2 > 0 ? fmin(fmax(((p->x - a->x) * dx + (p->y - a->y) * dy) / length2, 0), 1) : 0;
+    return hypot(a->x + t * dx - p->x, a->y + t * dy - p->y);
+}
+
+/* Of upper point J from the lower arc next to its point I. */
+static double distance_at(const corresponder *c, size_t i, size_t j)
+{
+    const il_zip_vertex *l = c->list[0], *u = &c->list[1][j];
+    double before = i > 0 ? to_segment(u, &l[i - 1], &l[i]) : INFINITY;
+    return i + 1 < c->n_list[0] ? fmin(before, to_segment(u, &l[i], &l[i + 1])) : before;
+}
+
+/* Mean and largest distance of the upper points from the lower arc where the best
+ * monotone pairing has them: not from its points, which may be half their spacing
+ * off along the contour. */
 static il_status pair_up(corresponder *c, il_match *m, il_error *err)
 {
     unsigned char *step = NULL;
-    size_t n = c->n_list[0] + c->n_list[1] - 2, i = 0, j = 0;
+    size_t n = c->n_list[0] + c->n_list[1] - 2, i = 0;
     il_status st = il_zip(c->list[0], c->n_list[0], c->list[1], c->n_list[1], &step, err);
     if (st != IL_OK)
         return st;
     double sum = 0;
-    for (size_t k = 0; k < n; k++) {
-        *(step[k] ? &j : &i) += 1;
-        double d = hypot(c->list[0][i].x - c->list[1][j].x, c->list[0][i].y - c->list[1][j].y);
+    for (size_t j = 0, k = 0; j < c->n_list[1]; j++, k++) {
+        double d = distance_at(c, i, j);
+        for (; k < n && !step[k]; k++)
+            d = fmin(d, distance_at(c, ++i, j));
         sum += d;
         m->residual_max = fmax(m->residual_max, d);
     }
-    m->residual_mean = sum / (double)n;
+    m->residual_mean = sum / (double)c->n_list[1];
     il_free(step);
     return IL_OK;
 }

@@ -1,0 +1,365 @@
+/* t-link.c - which rings belong together, against a search by brute force. */
+#include "config.h"
+#include "contours.h"
+#include "match/link.h"
+#include "model/order.h"
+#include "region/clean.h"
+
+/* ---- the oracle ---- */
+
+static const double *vertex(const il_ring *r, size_t k)
+{
+    return r->xy + 2 * (k % r->n);
+}
+
+/* Do the closed segments from A to B and from C to D have a point in common? */
+static bool segments_touch(const double *a, const double *b, const double *c, const double *d)
+{
+    if (lies_on(a, c, d) || lies_on(b, c, d) || lies_on(c, a, b) || lies_on(d, a, b))
+        return true;
+    return il_orientation(a, b, c) * il_orientation(a, b, d) < 0 && il_orientation(c, d, a) * il_orientation(c, d, b) < 0;
+}
+
+static bool rings_touch(const il_ring *r, const il_ring *s)
+{
+    for (size_t i = 0; i < r->n; i++)
+        for (size_t j = 0; j < s->n; j++)
+            if (segments_touch(vertex(r, i), vertex(r, i + 1), vertex(s, j), vertex(s, j + 1)))
+                return true;
+    return false;
+}
+
+/* Is P inside of R?  By crossings of a ray to the right, exactly. */
+static bool ring_holds(const il_ring *r, const double p[2])
+{
+    bool in = false;
+    for (size_t k = 0; k < r->n; k++) {
+        const double *a = vertex(r, k), *b = vertex(r, k + 1);
+        if ((a[1] > p[1]) != (b[1] > p[1]) && il_orientation(a, b, p) == (b[1] > a[1] ? 1 : -1))
+            in = !in;
+    }
+    return in;
+}
+
+static void middle_of(const il_ring *r, double p[2])
+{
+    const double *a = vertex(r, 0), *b = vertex(r, 1);
+    p[0] = a[0] / 2 + b[0] / 2;
+    p[1] = a[1] / 2 + b[1] / 2;
+}
+
+/* The outer ring of ring I's region: the least one about a hole. */
+static uint32_t outer_of(const il_slice *s, uint32_t i)
+{
+    double p[2], least = INFINITY;
+    uint32_t found = i;
+    if (il_ring_area2(&s->ring[i]) > 0)
+        return i;
+    middle_of(&s->ring[i], p);
+    for (uint32_t k = 0; k < s->n; k++) {
+        double area2 = il_ring_area2(&s->ring[k]);
+        if (area2 > 0 && area2 < least && ring_holds(&s->ring[k], p)) {
+            least = area2;
+            found = k;
+        }
+    }
+    return found;
+}
+
+/* Is P in the region whose outer ring is OUTER? */
+static bool region_holds(const il_slice *s, uint32_t outer, const double p[2])
+{
+    if (!ring_holds(&s->ring[outer], p))
+        return false;
+    for (uint32_t k = 0; k < s->n; k++)
+        if (k != outer && outer_of(s, k) == outer && ring_holds(&s->ring[k], p))
+            return false;
+    return true;
+}
+
+/* Do two regions overlap or touch?  Outlines meet, or one lies in the other. */
+static bool regions_meet(const il_slice *a, uint32_t i, const il_slice *b, uint32_t j)
+{
+    double p[2];
+    for (uint32_t r = 0; r < a->n; r++)
+        for (uint32_t s = 0; s < b->n; s++)
+            if (outer_of(a, r) == i && outer_of(b, s) == j && rings_touch(&a->ring[r], &b->ring[s]))
+                return true;
+    middle_of(&a->ring[i], p);
+    if (region_holds(b, j, p))
+        return true;
+    middle_of(&b->ring[j], p);
+    return region_holds(a, i, p);
+}
+
+enum { MOST = 60 };
+
+/* Sets over the lower rings and then the upper ones, named by their least member. */
+typedef struct sets { uint32_t of[2 * MOST]; size_t n; } sets;
+
+static void join(sets *s, uint32_t a, uint32_t b)
+{
+    uint32_t to = s->of[a] < s->of[b] ? s->of[a] : s->of[b], from = s->of[a] < s->of[b] ? s->of[b] : s->of[a];
+    for (size_t k = 0; k < s->n; k++)
+        if (s->of[k] == from)
+            s->of[k] = to;
+}
+
+/* ---- the record ---- */
+
+static const il_link *find_link(const il_pair *p, uint32_t lower, uint32_t upper)
+{
+    for (size_t i = 0; i < p->n_groups; i++)
+        for (size_t k = 0; k < p->group[i].n_links; k++)
+            if (p->group[i].link[k].lower == lower && p->group[i].link[k].upper == upper)
+                return &p->group[i].link[k];
+    return NULL;
+}
+
+static void assert_rising(const uint32_t *ring, size_t n)
+{
+    for (size_t k = 1; k < n; k++)
+        assert_true(ring[k - 1] < ring[k]);
+}
+
+/* Every ring in one group, and all in the order that the format calls canonical. */
+static void assert_canonical(const il_pair *p, const il_slice *lower, const il_slice *upper)
+{
+    size_t n_lower = 0, n_upper = 0;
+    for (size_t i = 0; i < p->n_groups; i++) {
+        const il_group *g = &p->group[i], *before = i > 0 ? &p->group[i - 1] : NULL;
+        assert_true(g->n_lower + g->n_upper > 0 && !g->fitted);
+        assert_rising(g->lower, g->n_lower);
+        assert_rising(g->upper, g->n_upper);
+        if (before && g->n_lower > 0)
+            assert_true(before->n_lower > 0 && before->lower[0] < g->lower[0]);
+        else if (before && before->n_lower == 0)
+            assert_true(before->upper[0] < g->upper[0]);
+        for (size_t k = 1; k < g->n_links; k++) {
+            const il_link *a = &g->link[k - 1], *b = &g->link[k];
+            assert_true(a->lower < b->lower || (a->lower == b->lower && a->upper < b->upper));
+        }
+        n_lower += g->n_lower;
+        n_upper += g->n_upper;
+    }
+    assert_int_equal(n_lower, lower->n);
+    assert_int_equal(n_upper, upper->n);
+}
+
+/* The sets of rings that the record's groups are. */
+static void take_sets(sets *s, const il_pair *p, const il_slice *lower, const il_slice *upper)
+{
+    s->n = lower->n + upper->n;
+    for (size_t k = 0; k < s->n; k++)
+        s->of[k] = UINT32_MAX;
+    for (size_t i = 0; i < p->n_groups; i++) {
+        const il_group *g = &p->group[i];
+        uint32_t name = g->n_lower > 0 ? g->lower[0] : (uint32_t)lower->n + g->upper[0];
+        for (size_t k = 0; k < g->n_lower; k++) {
+            assert_true(g->lower[k] < lower->n && s->of[g->lower[k]] == UINT32_MAX);
+            s->of[g->lower[k]] = name;
+        }
+        for (size_t k = 0; k < g->n_upper; k++) {
+            assert_true(g->upper[k] < upper->n && s->of[lower->n + g->upper[k]] == UINT32_MAX);
+            s->of[lower->n + g->upper[k]] = name;
+        }
+    }
+}
+
+static il_pair linked(const il_slice *lower, const il_slice *upper)
+{
+    il_pair p = IL_PAIR_INIT;
+    assert_int_equal(il_link_slices(&p, lower, upper, NULL), IL_OK);
+    return p;
+}
+
+/* What il_link_slices makes of two clean slices is what the oracle says. */
+static void assert_linked(const il_slice *lower, const il_slice *upper)
+{
+    sets wanted = { { 0 }, lower->n + upper->n }, got;
+    uint32_t n_lower = (uint32_t)lower->n;
+    assert_true(wanted.n <= 2 * MOST);
+    for (uint32_t k = 0; k < wanted.n; k++)
+        wanted.of[k] = k;
+    il_pair p = linked(lower, upper);
+    assert_canonical(&p, lower, upper);
+    for (uint32_t i = 0; i < lower->n; i++)
+        join(&wanted, i, outer_of(lower, i));
+    for (uint32_t j = 0; j < upper->n; j++)
+        join(&wanted, n_lower + j, n_lower + outer_of(upper, j));
+    for (uint32_t i = 0; i < lower->n; i++)
+        for (uint32_t j = 0; j < upper->n; j++) {
+            bool meet = outer_of(lower, i) == i && outer_of(upper, j) == j && regions_meet(lower, i, upper, j);
+            const il_link *link = find_link(&p, i, j);
+            if (meet)
+                join(&wanted, i, n_lower + j);
+            assert_true((link != NULL) == meet);
+            assert_true(!link || (link->reason == IL_LINK_OVERLAP && link->reach == 0));
+        }
+    take_sets(&got, &p, lower, upper);
+    assert_memory_equal(got.of, wanted.of, wanted.n * sizeof *wanted.of);
+    il_pair_free(&p);
+}
+
+/* ---- cases ---- */
+
+/* "0 1|0 2; 3|; |4": groups as lower|upper. */
+static char *groups_text(const il_pair *p, char *to)
+{
+    size_t n = 0;
+    *to = '\0';
+    for (size_t i = 0; i < p->n_groups; i++) {
+        const il_group *g = &p->group[i];
+        n += (size_t)sprintf(to + n, "%s", i > 0 ? "; " : "");
+        for (size_t k = 0; k < g->n_lower; k++)
+            n += (size_t)sprintf(to + n, "%s%u", k > 0 ? " " : "", (unsigned)g->lower[k]);
+        n += (size_t)sprintf(to + n, "|");
+        for (size_t k = 0; k < g->n_upper; k++)
+            n += (size_t)sprintf(to + n, "%s%u", k > 0 ? " " : "", (unsigned)g->upper[k]);
+    }
+    return to;
+}
+
+#define SQUARE "0 0, 9 0, 9 9, 0 9"
+#define FRAMED SQUARE "; 2 2, 2 7, 7 7, 7 2"
+
+static void rings_are_grouped_with_what_they_overlap(void **state)
+{
+    (void)state;
+    static const struct { const char *lower, *upper, *groups; } c[] = {
+        { SQUARE, SQUARE, "0|0" },
+        { SQUARE, "1 1, 2 1, 2 2, 1 2", "0|0" },                             /* inside */
+        { "1 1, 2 1, 2 2, 1 2", SQUARE, "0|0" },
+        { SQUARE, "9 0, 12 0, 12 9, 9 9", "0|0" },                           /* touch along an edge */
+        { SQUARE, "9 9, 12 9, 12 12", "0|0" },                               /* in a vertex */
+        { SQUARE, "9 4, 12 3, 12 5", "0|0" },                                /* a vertex on an edge */
+        { SQUARE, "10 0, 12 0, 12 9, 10 9", "0|; |0" },                      /* apart */
+        { FRAMED, "3 3, 6 3, 6 6, 3 6", "0 1|; |0" },                        /* nested in a hole */
+        { "3 3, 6 3, 6 6, 3 6", FRAMED, "0|; |0 1" },
+        { FRAMED, "2 3, 6 3, 6 6, 2 6", "0 1|0" },                           /* touches the hole */
+        { FRAMED, "0.5 0.5, 1 0.5, 1 1, 0.5 1", "0 1|0" },                   /* in the frame itself */
+        { FRAMED, FRAMED, "0 1|0 1" },
+        { FRAMED, SQUARE, "0 1|0" },
+        { "0 0, 9 0, 9 9, 0 9; 20 0, 29 0, 29 9, 20 9", "5 3, 25 3, 25 6, 5 6", "0 1|0" },          /* a bridge */
+        { "0 0, 9 0, 9 9, 0 9; 20 0, 29 0, 29 9, 20 9", "21 1, 28 1, 28 8; 40 0, 41 0, 41 1", "0|; 1|0; |1" },
+        { FRAMED "; 3 3, 6 3, 6 6, 3 6", "4 4, 5 4, 5 5, 4 5", "0 1|; 2|0" },                       /* an island */
+        { "", "", "" }, { SQUARE, "", "0|" }, { "", FRAMED, "|0 1" },
+    };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
+        char text[200];
+        il_slice lower = slice_of(c[k].lower), upper = slice_of(c[k].upper);
+        assert_true(il_slice_in_order(&lower) && il_slice_in_order(&upper));
+        il_pair p = linked(&lower, &upper);
+        assert_string_equal(groups_text(&p, text), c[k].groups);
+        assert_linked(&lower, &upper);
+        il_pair_free(&p);
+        il_slice_free(&lower);
+        il_slice_free(&upper);
+    }
+}
+
+static void clean(il_slice *s)
+{
+    assert_int_equal(il_slice_clean(s, &(il_clean_options){ false }, NULL, NULL, NULL), IL_OK);
+}
+
+/* On few grid points everything touches, coincides and nests. */
+static void tangles_are_linked_as_brute_force_says(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    for (int round = 0; round < 400; round++) {
+        unsigned size = 4 + (unsigned)round % 20;
+        il_slice lower = random_tangle(&seed, size), upper = random_tangle(&seed, size);
+        clean(&lower);
+        clean(&upper);
+        if (lower.n <= MOST && upper.n <= MOST)
+            assert_linked(&lower, &upper);
+        il_slice_free(&lower);
+        il_slice_free(&upper);
+    }
+}
+
+static void hard_stacks_are_linked_as_brute_force_says(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < STACK_N_KINDS; kind++)
+        for (uint64_t seed = 0; seed < 12; seed++) {
+            il_slice slice[6];
+            size_t n = stack_make((stack_kind)kind, seed, slice);
+            for (size_t k = 0; k < n; k++)
+                clean(&slice[k]);
+            for (size_t k = 0; k + 1 < n; k++)
+                if (slice[k].n <= MOST && slice[k + 1].n <= MOST)
+                    assert_linked(&slice[k], &slice[k + 1]);
+            for (size_t k = 0; k < n; k++)
+                il_slice_free(&slice[k]);
+        }
+}
+
+/* Squares in squares in squares, DEEP of them, holes and islands by turns. */
+static il_slice nested_squares(int deep, double off)
+{
+    il_slice s = IL_SLICE_INIT;
+    for (int k = 0; k < deep; k++) {
+        double a = off + k, b = off + 100 - k;
+        il_ring *r = il_slice_add_ring(&s);
+        assert_non_null(r);
+        assert_true(il_ring_add(r, a, a, 0) && il_ring_add(r, b, a, 0) && il_ring_add(r, b, b, 0) && il_ring_add(r, a, b, 0));
+        if (k % 2) {
+            il_ring_reverse(r);
+            il_ring_rotate(r, 0);
+        }
+    }
+    return s;
+}
+
+static void islands_in_holes_in_islands_keep_apart(void **state)
+{
+    (void)state;
+    for (int deep = 1; deep < 12; deep++) {
+        il_slice lower = nested_squares(deep, 0), upper = nested_squares(deep, .25), above = nested_squares(deep, .75);
+        assert_linked(&lower, &upper);
+        il_pair p = linked(&lower, &upper);
+        assert_int_equal(p.n_groups, (deep + 1) / 2);
+        il_pair_free(&p);
+        assert_linked(&lower, &above);
+        il_slice_free(&lower);
+        il_slice_free(&upper);
+        il_slice_free(&above);
+    }
+}
+
+/* Sieves: a plate with many holes over the same; edges, not pairs of rings, are what it costs. */
+static void many_rings_are_linked_fast(void **state)
+{
+    (void)state;
+    enum { SIDE = 50 };
+    il_slice s[2] = { IL_SLICE_INIT, IL_SLICE_INIT };
+    for (int side = 0; side < 2; side++)
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            double x = i / SIDE * 4., y = i % SIDE * 4., size = side ? 2 : 3;
+            il_ring *r = il_slice_add_ring(&s[side]);
+            assert_non_null(r);
+            assert_true(il_ring_add(r, x, y, 0) && il_ring_add(r, x + size, y, 0) && il_ring_add(r, x, y + size, 0));
+        }
+    il_pair p = linked(&s[0], &s[1]);
+    assert_int_equal(p.n_groups, SIDE * SIDE);
+    for (uint32_t k = 0; k < SIDE * SIDE; k++)
+        assert_true(p.group[k].n_lower == 1 && p.group[k].n_upper == 1 && p.group[k].lower[0] == k && p.group[k].upper[0] == k);
+    il_pair_free(&p);
+    il_slice_free(&s[0]);
+    il_slice_free(&s[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rings_are_grouped_with_what_they_overlap),
+        cmocka_unit_test(tangles_are_linked_as_brute_force_says),
+        cmocka_unit_test(hard_stacks_are_linked_as_brute_force_says),
+        cmocka_unit_test(islands_in_holes_in_islands_keep_apart),
+        cmocka_unit_test(many_rings_are_linked_fast),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -82,6 +82,28 @@ static double advance(const corresponder *c, size_t k)
     return d - length * round(d / length);
 }
 
+/* So many points in a row that fit badly, at a spike say, do not end an arc. */
+enum { GAP = 3 };
+
+/* Points between good ones that the feet pass over get feet in between. */
+static void bridge_gap(corresponder *c, size_t k)
+{
+    const il_course *u = c->upper;
+    size_t end = il_course_after(u, k), n = 1;
+    while (!c->foot[end].good && n <= GAP && end != k)
+        end = il_course_after(u, end), n++;
+    if (n == 1 || end == k || !c->foot[end].good || c->foot[end].ring != c->foot[k].ring)
+        return;
+    double length = c->lower->length[c->foot[k].ring], d = c->foot[end].at - c->foot[k].at;
+    d -= length * round(d / length);
+    if (d < 0 || d > AHEAD)
+        return;
+    for (size_t i = 1, p = il_course_after(u, k); i < n; i++, p = il_course_after(u, p)) {
+        double at = c->foot[k].at + d * (double)i / (double)n;
+        c->foot[p] = (foot){ at < length ? at : at - length, c->foot[k].ring, true };
+    }
+}
+
 /* Do point K and the one after it belong to one arc? */
 static bool runs_on(const corresponder *c, size_t k)
 {
@@ -264,7 +286,12 @@ static il_status match_run(corresponder *c, size_t from, size_t to, il_error *er
     for (size_t k = from; k != to; k = il_course_after(u, k))
         along += advance(c, k);
     size_t l0 = vertex_at_foot(c, from), l1 = vertex_at_foot(c, to);
-    double way = c->lower->point[l1].at - c->lower->point[l0].at, length = c->lower->length[c->foot[from].ring];
+    double length = c->lower->length[c->foot[from].ring];
+    if (l0 == l1 && along > length / 2) /* almost all round */
+        do
+            l1 = il_course_before(c->lower, l1);
+        while (c->lower->point[l1].t != 0 && l1 != l0);
+    double way = c->lower->point[l1].at - c->lower->point[l0].at;
     way += way < 0 ? length : 0;
     /* feet that turn round, or round the ring: no arc in the sense of a match */
     if (l0 == l1 || fabs(way - along) > 0.5 * length || is_taken(c, l0, l1))
@@ -353,6 +380,9 @@ il_status il_correspond(il_correspondence *out, const il_course *lower, const il
     il_status st = c.foot && c.taken[0] && c.taken[1] && index_vertices(&c) ? IL_OK : il_fail_nomem(err);
     for (size_t k = 0; st == IL_OK && k < upper->n; k++)
         find_foot(&c, k);
+    for (size_t k = 0; st == IL_OK && k < upper->n; k++)
+        if (c.foot[k].good)
+            bridge_gap(&c, k);
     for (size_t r = 0; st == IL_OK && r < upper->n_rings; r++)
         if (runs_round(&c, r))
             st = match_ring(&c, r, err);

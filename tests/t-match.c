@@ -363,7 +363,7 @@ static void records_of_all_families_are_sound(void **state)
 {
     (void)state;
     for (int f = 0; f < PAIRS_N_FAMILIES; f++)
-        for (uint32_t seed = 0; seed < (f == PAIRS_NAMED ? (uint32_t)PAIRS_N_NAMED : 12); seed++) {
+        for (uint32_t seed = 0; seed < (f == PAIRS_NAMED ? (uint32_t)PAIRS_N_NAMED : 5); seed++) {
             couple c = of_family((pairs_family)f, seed);
             match(&c);
             assert_record(&c);
@@ -412,14 +412,16 @@ static void records_of_hard_stacks_are_sound(void **state)
 static void short_edges_are_in_one_arc_each(void **state)
 {
     (void)state;
-    for (int n = 300; n <= 4000; n *= 3)
-        for (int shape = 0; shape < 6; shape++) {
+    uint64_t seed = 1;
+    for (int n = 300; n <= 1000; n *= 3)
+        for (int shape = 0; shape < 12; shape++) {
             couple c = { { IL_SLICE_INIT, IL_SLICE_INIT }, IL_PAIR_INIT };
             for (int side = 0; side < 2; side++) {
                 il_ring *r = il_slice_add_ring(&c.slice[side]);
                 assert_non_null(r);
                 for (int k = 0; k < n; k++) {
                     double t = 2 * acos(-1.0) * k / n, size = 50 + (side ? 12 * cos(shape * t) : 0);
+                    size += shape >= 6 ? random_between(&seed, -.02, .02) * shape : 0; /* rough */
                     size += side && shape % 2 && t < .5 ? 40 * sin(2 * acos(-1.0) * t) : 0;
                     assert_true(il_ring_add(r, size * cos(t), size * sin(t), 0));
                 }

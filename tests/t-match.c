@@ -186,15 +186,33 @@ static void cover(coverage *c, const il_arc *a)
     } while (k != a->to.vertex);
 }
 
-/* Every edge of the groups that were fitted is in one arc, matched or not. */
+/* No edge is in two matches of those as the slices lie. */
+static void assert_arcs_as_they_lie(const couple *c)
+{
+    coverage side[2] = { new_coverage(&c->slice[0]), new_coverage(&c->slice[1]) };
+    for (size_t i = 0; i < c->pair.n_matches; i++)
+        if (c->pair.match[i].as_they_lie) {
+            cover(&side[0], &c->pair.match[i].lower);
+            cover(&side[1], &c->pair.match[i].upper);
+        }
+    for (int k = 0; k < 2; k++) {
+        for (size_t r = 0; r < c->slice[k].n; r++)
+            for (size_t v = 0; v < c->slice[k].ring[r].n; v++)
+                assert_true(side[k].count[r][v] <= 1);
+        free_coverage(&side[k]);
+    }
+}
+
+/* Every edge of the groups that were fitted is in one arc of phi, matched or not. */
 static void assert_arcs(const couple *c)
 {
     const il_pair *p = &c->pair;
     coverage side[2] = { new_coverage(&c->slice[0]), new_coverage(&c->slice[1]) };
-    for (size_t i = 0; i < p->n_matches; i++) {
-        cover(&side[0], &p->match[i].lower);
-        cover(&side[1], &p->match[i].upper);
-    }
+    for (size_t i = 0; i < p->n_matches; i++)
+        if (!p->match[i].as_they_lie) {
+            cover(&side[0], &p->match[i].lower);
+            cover(&side[1], &p->match[i].upper);
+        }
     for (size_t i = 0; i < p->n_unmatched; i++)
         cover(&side[p->unmatched[i].upper], &p->unmatched[i].arc);
     for (size_t i = 0; i < p->n_groups; i++)
@@ -304,6 +322,7 @@ static void assert_record(const couple *c)
 {
     assert_readable(c);
     assert_arcs(c);
+    assert_arcs_as_they_lie(c);
     assert_phi(c);
     for (size_t i = 0; i < c->pair.n_groups; i++)
         assert_fit(&c->pair.group[i]);
@@ -363,12 +382,13 @@ static void records_of_all_families_are_sound(void **state)
 {
     (void)state;
     for (int f = 0; f < PAIRS_N_FAMILIES; f++)
-        for (uint32_t seed = 0; seed < (f == PAIRS_NAMED ? (uint32_t)PAIRS_N_NAMED : 12); seed++) {
+        for (uint32_t seed = 0; seed < (f == PAIRS_NAMED ? (uint32_t)PAIRS_N_NAMED : 5); seed++) {
             couple c = of_family((pairs_family)f, seed);
             match(&c);
             assert_record(&c);
             for (size_t i = 0; i < c.pair.n_matches && c.pair.n_groups == 1; i++)
-                assert_residual(&c, &c.pair.match[i]);
+                if (!c.pair.match[i].as_they_lie)
+                    assert_residual(&c, &c.pair.match[i]);
             free_couple(&c);
         }
 }
@@ -412,14 +432,16 @@ static void records_of_hard_stacks_are_sound(void **state)
 static void short_edges_are_in_one_arc_each(void **state)
 {
     (void)state;
-    for (int n = 300; n <= 4000; n *= 3)
-        for (int shape = 0; shape < 6; shape++) {
+    uint64_t seed = 1;
+    for (int n = 300; n <= 1000; n *= 3)
+        for (int shape = 0; shape < 12; shape++) {
             couple c = { { IL_SLICE_INIT, IL_SLICE_INIT }, IL_PAIR_INIT };
             for (int side = 0; side < 2; side++) {
                 il_ring *r = il_slice_add_ring(&c.slice[side]);
                 assert_non_null(r);
                 for (int k = 0; k < n; k++) {
                     double t = 2 * acos(-1.0) * k / n, size = 50 + (side ? 12 * cos(shape * t) : 0);
+                    size += shape >= 6 ? random_between(&seed, -.02, .02) * shape : 0; /* rough */
                     size += side && shape % 2 && t < .5 ? 40 * sin(2 * acos(-1.0) * t) : 0;
                     assert_true(il_ring_add(r, size * cos(t), size * sin(t), 0));
                 }
@@ -518,6 +540,7 @@ static void assert_same_arcs(const il_pair *a, const il_pair *b, double scale)
         assert_memory_equal(&a->match[i].upper, &b->match[i].upper, sizeof a->match[i].upper);
         assert_true(scale * a->match[i].residual_mean == b->match[i].residual_mean);
         assert_true(scale * a->match[i].residual_max == b->match[i].residual_max);
+        assert_true(a->match[i].as_they_lie == b->match[i].as_they_lie);
     }
     for (size_t i = 0; i < a->n_unmatched; i++) {
         assert_memory_equal(&a->unmatched[i].arc, &b->unmatched[i].arc, sizeof a->unmatched[i].arc);

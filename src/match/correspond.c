@@ -36,7 +36,7 @@ typedef struct corresponder {
     size_t *vertex_point;     /* the lower course's point at each vertex of the outline */
     size_t *ring_begin;       /* [lower rings + 1] first vertex of each ring in the outline */
     foot *foot;               /* [upper->n] */
-    bool *taken[2];           /* points of either course that are in a matched arc */
+    bool *taken[2];           /* the way from this point to the next is in a matched arc */
     il_zip_vertex *list[2];   size_t n_list[2], cap_list[2];
     il_correspondence *out;
 } corresponder;
@@ -158,18 +158,18 @@ static bool list_arcs(corresponder *c, size_t l0, size_t l1, size_t u0, size_t u
         bool last = k == l1 && c->n_list[0] > 0;
         if (!list_point(c, 0, &c->lower->point[k], at < 0 ? at + length : last && at == 0 ? length : at))
             return false;
-        c->taken[0][k] = true;
         if (last)
             break;
+        c->taken[0][k] = true;
         k = il_course_after(c->lower, k);
     }
     for (size_t k = u0;;) {
         bool last = k == u1 && c->n_list[1] > 0;
         if (!list_point(c, 1, &c->upper->point[k], along))
             return false;
-        c->taken[1][k] = true;
         if (last)
             break;
+        c->taken[1][k] = true;
         along += fmax(advance(c, k), 0);
         k = il_course_after(c->upper, k);
     }
@@ -261,15 +261,13 @@ static il_status match_ring(corresponder *c, size_t r, il_error *err)
     return c->taken[0][l0] ? IL_OK : add_match(c, l0, l0, u0, u0, err);
 }
 
-/* Is any lower point from A to B taken? */
+/* Is any of the way from lower point A to B taken? */
 static bool is_taken(const corresponder *c, size_t a, size_t b)
 {
-    for (size_t k = a;; k = il_course_after(c->lower, k)) {
+    for (size_t k = a; k != b; k = il_course_after(c->lower, k))
         if (c->taken[0][k])
             return true;
-        if (k == b)
-            return false;
-    }
+    return false;
 }
 
 /* The run of upper points FROM .. TO: begin and end it at vertices. */
@@ -345,7 +343,7 @@ static bool add_unmatched(corresponder *c, bool upper, size_t from, size_t to, s
     return true;
 }
 
-/* Arcs of a ring whose inner points are not taken, ends included in matches. */
+/* What is between the matched arcs of a ring. */
 static bool list_unmatched(corresponder *c, bool upper, size_t r)
 {
     const il_course *course = upper ? c->upper : c->lower;
@@ -355,19 +353,15 @@ static bool list_unmatched(corresponder *c, bool upper, size_t r)
         start++;
     if (start == end)
         return add_unmatched(c, upper, first, first, r, true);
-    for (size_t k = start;;) {
-        size_t after = il_course_after(course, k), from = k;
-        if (!taken[after]) {
-            for (k = after; !taken[k];)
-                k = il_course_after(course, k);
-            if (!add_unmatched(c, upper, from, k, r, false))
-                return false;
-        } else {
-            k = after;
-        }
-        if (k == start)
-            return true;
-    }
+    size_t k = start;
+    do {
+        size_t from = k = il_course_after(course, k);
+        while (!taken[k])
+            k = il_course_after(course, k);
+        if (k != from && !add_unmatched(c, upper, from, k, r, false))
+            return false;
+    } while (k != start);
+    return true;
 }
 
 il_status il_correspond(il_correspondence *out, const il_course *lower, const il_course *upper, bool as_they_lie,

@@ -57,7 +57,7 @@ typedef struct history {
 } history;
 
 struct il_ffd {
-    il_distance map;
+    il_distance map, spare;
     il_samples upper, lower;           /* as given */
     il_samples moved;                  /* all samples of the upper, where they are */
     il_samples moving, target;         /* those that take part at the level */
@@ -86,6 +86,7 @@ void il_ffd_free(il_ffd *f)
     if (!f)
         return;
     il_distance_free(&f->map);
+    il_distance_free(&f->spare);
     il_samples_free(&f->upper);
     il_samples_free(&f->lower);
     il_samples_free(&f->moved);
@@ -418,4 +419,10 @@ il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upp
 il_foot il_ffd_foot(il_ffd *f, double x, double y)
 {
     return il_distance_foot(&f->map, (float)x, (float)y);
+}
+
+il_distance *il_ffd_maps(il_ffd *f, il_distance **spare)
+{
+    *spare = &f->spare;
+    return &f->map;
 }

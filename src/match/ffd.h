@@ -33,4 +33,8 @@ il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upp
 /* After il_ffd_solve: the point of the lower contours nearest to (x, y), cells. */
 il_foot il_ffd_foot(il_ffd *f, double x, double y);
 
+/* The map of the lower contours, and in *SPARE one for the caller's use, so that
+ * its memory is kept too.  Both stay F's. */
+il_distance *il_ffd_maps(il_ffd *f, il_distance **spare);
+
 #endif

@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "match/correspond.h"
 #include "match/frame.h"
+#include "match/residual.h"
 #include "model/lattice.h"
 
 #include <math.h>
@@ -233,6 +234,8 @@ il_status il_group_match(il_pair *pair, il_group *g, const il_slice *lower, cons
         st = map_upper(&m, err);
     if (st == IL_OK)
         st = lay(&m, 0, &m.course[0], err);
+    if (st == IL_OK)
+        st = il_residuals_measure(&m.fit, &m.course[0], &m.course[1], solver, err);
     if (st == IL_OK)
         st = il_correspond(&m.found, &m.course[0], &m.course[1], false, solver, err);
     if (st == IL_OK && !record_arcs(&m))

@@ -77,7 +77,8 @@ static il_status renumber(renumbering *r, const il_slice *was, const il_slice *i
         const il_ring *ring = &was->ring[i];
         r->ring[i] = UINT32_MAX;
         for (uint32_t k = 0; k < ring->n && r->ring[i] == UINT32_MAX; k++) {
-            uint32_t to = il_keymap_get(&at, il_keymap_double(rounded(ring->xy[2 * k])), il_keymap_double(rounded(ring->xy[2 * k + 1])), UINT32_MAX);
+            const double *p = ring->xy + 2 * k;
+            uint32_t to = il_keymap_get(&at, il_keymap_double(rounded(p[0])), il_keymap_double(rounded(p[1])), UINT32_MAX);
             uint32_t first = (uint32_t)(k > 0 ? ring->n - k : 0);
             if (to != UINT32_MAX && same_ring(ring, &is->ring[to], first)) {
                 r->ring[i] = to;

@@ -101,10 +101,27 @@ IL_LANEWISE il_f8 il_f8_root(il_f8 v)
 /* The least lane. */
 IL_LANEWISE float il_f8_least(il_f8 v)
 {
-    float least = v[0];
-    for (int i = 1; i < IL_LANES; i++)
-        least = v[i] < least ? v[i] : least;
-    return least;
+    float a[IL_LANES / 2];
+    for (int i = 0; i < IL_LANES / 2; i++)
+        a[i] = v[i] < v[i + IL_LANES / 2] ? v[i] : v[i + IL_LANES / 2];
+    a[0] = a[0] < a[2] ? a[0] : a[2];
+    a[1] = a[1] < a[3] ? a[1] : a[3];
+    return a[0] < a[1] ? a[0] : a[1];
+}
+
+/* The sign of lane i as bit i. */
+IL_LANEWISE uint32_t il_f8_signs(il_f8 v)
+{
+#ifdef __SSE2__
+    __m128 half[2];
+    memcpy(half, &v, sizeof v);
+    return (uint32_t)(_mm_movemask_ps(half[0]) | _mm_movemask_ps(half[1]) << 4);
+#else
+    uint32_t bits = 0;
+    for (int i = 0; i < IL_LANES; i++)
+        bits |= (uint32_t)((il_i8)v)[i] >> 31 << i;
+    return bits;
+#endif
 }
 
 /* Lane by lane A where MASK is -1, B where it is 0. */

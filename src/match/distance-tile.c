@@ -75,37 +75,56 @@ IL_CLONES static void measure_runs(const il_distance_run *run, const uint32_t *k
 typedef struct rival { float square, x, y; } rival;
 enum { RIVALS = 5 };
 
-/* The one nearest to (X, Y) off the middle, were its foot to stay. */
-IL_LANEWISE rival rival_at(const il_distance_way *way, size_t n, float x, float y)
+/* A key of 22 bits of a length >= 0 and 10 of an index, to be compared as a float:
+ * which of two lengths that are nearly the same is less does not matter here. */
+enum { INDEX_BITS = 0x3ff };
+
+IL_LANEWISE void keep_less(il_f8 *key, il_f8 length, il_i8 index)
 {
-    il_f8 least = il_f8_all(INFINITY), index = il_f8_all(0), at = il_f8_all(0);
-    for (size_t i = 0; i < n; i += IL_LANES, way++) {
-        il_f8 q = il_f8_load(way->square) + (il_f8_load(way->x) * (2 * x) + il_f8_load(way->y) * (2 * y));
-        for (int k = 0; k < IL_LANES; k++)
-            index[k] = q[k] < least[k] ? at[k] : index[k];
-        least = il_f8_min(q, least);
-        at += 1;
+    *key = il_f8_min((il_f8)(((il_i8)length & ~INDEX_BITS) | (index & INDEX_BITS)), *key);
+}
+
+IL_LANEWISE rival least_rival(const il_distance_way *way, il_f8 key)
+{
+    uint32_t index;
+    float least = il_f8_least(key);
+    memcpy(&index, &least, sizeof index);
+    const il_distance_way *w = &way[(index & INDEX_BITS) / IL_LANES];
+    return (rival){ w->square[index % IL_LANES], w->x[index % IL_LANES], w->y[index % IL_LANES] };
+}
+
+/* Those nearest to the middle and to the middles of the sides, were their feet to stay. */
+IL_LANEWISE void find_rivals(rival *a, const il_distance_way *way, size_t n, float half)
+{
+    il_f8 key[RIVALS];
+    for (int k = 0; k < RIVALS; k++)
+        key[k] = il_f8_all(INFINITY);
+    il_i8 index = { 0, 1, 2, 3, 4, 5, 6, 7 };
+    for (size_t i = 0; i < n; i += IL_LANES, index += IL_LANES) {
+        const il_distance_way *w = &way[i / IL_LANES];
+        il_f8 q = il_f8_load(w->square), x = il_f8_load(w->x) * (2 * half), y = il_f8_load(w->y) * (2 * half);
+        keep_less(&key[0], q, index);
+        q += half * half;
+        keep_less(&key[1], q + x, index);
+        keep_less(&key[2], q - x, index);
+        keep_less(&key[3], q + y, index);
+        keep_less(&key[4], q - y, index);
     }
-    int best = 0;
-    for (int k = 1; k < IL_LANES; k++)
-        best = least[k] < least[best] ? k : best;
-    way -= (n + IL_LANES - 1) / IL_LANES;
-    way += (size_t)index[best];
-    return (rival){ way->square[best], way->x[best], way->y[best] };
+    for (int k = 0; k < RIVALS; k++)
+        a[k] = least_rival(way, key[k]);
 }
 
 /* Of N ways those of segments that can be nearest within HALF of the middle in x and y.
  *
  * With b the way from the foot of segment B to the middle m, the squared distance
- * of m + p from B is at least |b + p|^2 - lack, and that of A at most |a + p|^2.
+ * of m + p from B is at least |b + p|^2 - lack, and that from A at most |a + p|^2.
  * The difference is linear in p, so it is least in a corner of the square: there
  *     |b|^2 - |a|^2 - lack - 2 HALF (|b_x - a_x| + |b_y - a_y|).
- * Where that is positive B is out.  A is whatever is nearest to the middle or to
- * that of a side. */
+ * Where that is positive B is out. */
 IL_CLONES static size_t keep(const il_distance_way *way, size_t n, float half, float slack, uint32_t *kept)
 {
-    rival a[RIVALS] = { rival_at(way, n, 0, 0), rival_at(way, n, half, 0), rival_at(way, n, -half, 0),
-                        rival_at(way, n, 0, half), rival_at(way, n, 0, -half) };
+    rival a[RIVALS];
+    find_rivals(a, way, n, half);
     float most = slack * (32 + 2 * sqrtf(a[0].square));
     size_t n_kept = 0;
     for (size_t i = 0; i < n; i += IL_LANES, way++) {
@@ -113,11 +132,10 @@ IL_CLONES static size_t keep(const il_distance_way *way, size_t n, float half, f
         il_f8 out = il_f8_all(-INFINITY);
         for (int k = 0; k < RIVALS; k++)
             out = il_f8_max(own - a[k].square - (il_f8_abs(x - a[k].x) + il_f8_abs(y - a[k].y)) * (2 * half), out);
-        float beyond[IL_LANES];
-        il_f8_store(beyond, out);
+        uint32_t signs = il_f8_signs(out);
         for (size_t k = 0; k < IL_LANES && i + k < n; k++) {
             kept[n_kept] = (uint32_t)(i + k);
-            n_kept += !(beyond[k] > 0);
+            n_kept += signs >> k & 1;
         }
     }
     return n_kept;
@@ -267,7 +285,7 @@ IL_CLONES static void measure_rows(const il_distance_rows *rows, size_t n, float
         row_state r = { il_f8_all(INFINITY), il_i8_all((int32_t)rows->segment) };
         for (size_t i = 0; i < n; i++) {
             const il_distance_rows *s = &rows[i];
-            il_f8 beyond = il_f8_max(il_f8_abs(px * s->ux + s->along[j]) - s->half, none);
+            il_f8 beyond = il_f8_max(none, il_f8_abs(px * s->ux + s->along[j]) - s->half);
             il_f8 across = px * s->uy - s->across[j];
             compare(&r, beyond * beyond + across * across, s->segment);
         }
@@ -336,15 +354,18 @@ static void measure_quarter(il_distance *d, const view *v, int i, int j, float *
 
 /* ---- signs ---- */
 
-/* Nodes with their bit unset lie outside. */
-static void sign_row(float *value, uint32_t inside)
+/* A node's 16 bits; those unset lie outside. */
+IL_LANEWISE void sign_row(float *value, uint32_t inside)
 {
-    for (int i = 0; i < IL_TILE_NODES; i++)
-        value[i] = inside >> i & 1 ? value[i] : -value[i];
+    const il_i8 to_top = { 31, 30, 29, 28, 27, 26, 25, 24 };
+    for (int i = 0; i < IL_TILE_NODES; i += IL_LANES) {
+        il_i8 sign = il_i8_all((int32_t)(~inside >> i)) << to_top & INT32_MIN;
+        il_f8_store(value + i, (il_f8)((il_i8)il_f8_load(value + i) ^ sign));
+    }
 }
 
 /* From node (I, J) of the raster; tiles at its end stick out. */
-static void sign_tile(const il_distance *d, size_t i, size_t j, float *value)
+IL_CLONES static void sign_tile(const il_distance *d, size_t i, size_t j, float *value)
 {
     size_t most = d->cells_y;
     for (size_t row = 0; row < IL_TILE_NODES; row++) {

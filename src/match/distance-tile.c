@@ -73,7 +73,7 @@ IL_CLONES static void measure_runs(const il_distance_run *run, const uint32_t *k
 
 /* A segment that may rule out others. */
 typedef struct rival { float square, x, y; } rival;
-enum { RIVALS = 5 };
+enum { RIVALS = 4 };
 
 /* A key of 22 bits of a length >= 0 and 10 of an index, to be compared as a float:
  * which of two lengths that are nearly the same is less does not matter here. */
@@ -93,8 +93,9 @@ IL_LANEWISE rival least_rival(const il_distance_way *way, il_f8 key)
     return (rival){ w->square[index % IL_LANES], w->x[index % IL_LANES], w->y[index % IL_LANES] };
 }
 
-/* Those nearest to the middle and to the middles of the sides, were their feet to stay. */
-IL_LANEWISE void find_rivals(rival *a, const il_distance_way *way, size_t n, float half)
+/* Those nearest to the middles of the sides, were their feet to stay: each rules out
+ * what lies beyond its side.  The least square. */
+IL_LANEWISE float find_rivals(rival *a, const il_distance_way *way, size_t n, float half)
 {
     il_f8 key[RIVALS];
     for (int k = 0; k < RIVALS; k++)
@@ -103,15 +104,18 @@ IL_LANEWISE void find_rivals(rival *a, const il_distance_way *way, size_t n, flo
     for (size_t i = 0; i < n; i += IL_LANES, index += IL_LANES) {
         const il_distance_way *w = &way[i / IL_LANES];
         il_f8 q = il_f8_load(w->square), x = il_f8_load(w->x) * (2 * half), y = il_f8_load(w->y) * (2 * half);
-        keep_less(&key[0], q, index);
         q += half * half;
-        keep_less(&key[1], q + x, index);
-        keep_less(&key[2], q - x, index);
-        keep_less(&key[3], q + y, index);
-        keep_less(&key[4], q - y, index);
+        keep_less(&key[0], q + x, index);
+        keep_less(&key[1], q - x, index);
+        keep_less(&key[2], q + y, index);
+        keep_less(&key[3], q - y, index);
     }
-    for (int k = 0; k < RIVALS; k++)
+    float least = INFINITY;
+    for (int k = 0; k < RIVALS; k++) {
         a[k] = least_rival(way, key[k]);
+        least = a[k].square < least ? a[k].square : least;
+    }
+    return least;
 }
 
 /* Of N ways those of segments that can be nearest within HALF of the middle in x and y.
@@ -124,8 +128,7 @@ IL_LANEWISE void find_rivals(rival *a, const il_distance_way *way, size_t n, flo
 IL_CLONES static size_t keep(const il_distance_way *way, size_t n, float half, float slack, uint32_t *kept)
 {
     rival a[RIVALS];
-    find_rivals(a, way, n, half);
-    float most = slack * (32 + 2 * sqrtf(a[0].square));
+    float most = slack * (32 + 2 * sqrtf(find_rivals(a, way, n, half)));
     size_t n_kept = 0;
     for (size_t i = 0; i < n; i += IL_LANES, way++) {
         il_f8 own = il_f8_load(way->square) - il_f8_load(way->lack) - most, x = il_f8_load(way->x), y = il_f8_load(way->y);
@@ -282,7 +285,7 @@ IL_CLONES static void measure_rows(const il_distance_rows *rows, size_t n, float
 {
     il_f8 px = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + x, none = il_f8_all(0);
     for (int j = 0; j < QUARTER_NODES; j++) {
-        row_state r = { il_f8_all(INFINITY), il_i8_all((int32_t)rows->segment) };
+        row_state r = { il_f8_all(INFINITY), { 0 } };
         for (size_t i = 0; i < n; i++) {
             const il_distance_rows *s = &rows[i];
             il_f8 beyond = il_f8_max(none, il_f8_abs(px * s->ux + s->along[j]) - s->half);
@@ -321,7 +324,7 @@ IL_CLONES static void measure_far_rows(const il_distance_rows *rows, size_t n, d
     float high = (float)distance, low = (float)(distance - (double)high);
     il_f8 px = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + x;
     for (int j = 0; j < QUARTER_NODES; j++) {
-        row_state r = { il_f8_all(INFINITY), il_i8_all((int32_t)rows->segment) };
+        row_state r = { il_f8_all(INFINITY), { 0 } };
         for (size_t i = 0; i < n; i++) {
             const il_distance_rows *s = &rows[i];
             il_f8 along = px * s->ux + s->along[j], half = il_f8_all(s->half);

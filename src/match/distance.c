@@ -200,6 +200,12 @@ static int32_t slot_of(il_distance *d, uint32_t i, uint32_t j)
     return slot >= 0 ? slot : il_distance_make_tile(d, t);
 }
 
+/* Of node (I, J), in `value` and `nearest`. */
+static size_t place_in_tile(int32_t slot, uint32_t i, uint32_t j)
+{
+    return ((size_t)slot * IL_TILE_NODES + j % IL_TILE_CELLS) * IL_TILE_NODES + i % IL_TILE_CELLS;
+}
+
 /* Phi at the corners of eight cells. */
 typedef struct corners { float v[4][IL_LANES]; } corners;
 
@@ -276,11 +282,13 @@ static place foot_on(const il_distance_segment *s, double x, double y)
 il_foot il_distance_foot(il_distance *d, float x, float y)
 {
     x = clamp(x, (float)d->cells_x), y = clamp(y, (float)d->cells_y);
-    int32_t slot = slot_of(d, cell_of(x, d->cells_x), cell_of(y, d->cells_y));
+    uint32_t i = cell_of(x, d->cells_x), j = cell_of(y, d->cells_y);
+    int32_t slot = slot_of(d, i, j);
     if (slot < 0)
         return (il_foot){ 0, 0, 0 };
-    place best = { 0, INFINITY };
-    uint32_t nearest = 0;
+    /* That of the cell's corner is most often the one: hardly another will be nearer. */
+    uint32_t nearest = d->nearest[place_in_tile(slot, i, j)];
+    place best = foot_on(&d->segment[nearest], x, y);
     for (uint32_t c = d->first[slot]; c < d->first[slot + 1]; c++) {
         place p = foot_on(&d->segment[d->candidate[c]], x, y);
         if (p.distance2 < best.distance2) {

@@ -19,8 +19,8 @@ enum {
 /* Half diagonal of a tile: sqrt(2) * 7.5, rounded up. */
 static const float TILE_RADIUS = 10.60661f;
 
-/* From here on distances are told by how far they differ from that of the
- * middle: a float near 100 has a place in 1e-5 left. */
+/* From here on distances are told by how far they differ from that of the tile's
+ * middle: what floats lose in squares of such numbers comes near to 1e-5. */
 #define FAR 32
 
 /* ---- culling ---- */
@@ -357,7 +357,7 @@ static void measure_quarter(il_distance *d, const view *v, int i, int j, float *
 
 /* ---- signs ---- */
 
-/* A node's 16 bits; those unset lie outside. */
+/* Nodes whose bit is unset lie outside. */
 IL_LANEWISE void sign_row(float *value, uint32_t inside)
 {
     const il_i8 to_top = { 31, 30, 29, 28, 27, 26, 25, 24 };

@@ -8,7 +8,7 @@
 
 /* ---- shapes ---- */
 
-/* Rings in a raster; FREE is the only owner. */
+/* Rings in a raster, built up by add_..., freed by free_shape. */
 typedef struct shape {
     double *xy;
     uint32_t *next;
@@ -60,7 +60,7 @@ static void add_tangle(shape *s, size_t n, uint64_t *seed, double cells_x, doubl
     }
 }
 
-/* N + 1 vertices for each: every other edge has no length. */
+/* Each of N vertices twice: every other edge has no length. */
 static void add_doubled(shape *s, size_t n, double x, double y, double r)
 {
     double *xy = add_ring(s, 2 * n);
@@ -203,6 +203,38 @@ static void thousands_of_segments_are_fine(void **state)
     check(s, 256, 256, 17);
 }
 
+/* The vertices of S in another order: neighbours along a ring are none in memory. */
+static shape shuffled(shape s, uint64_t *seed)
+{
+    shape t = { 0 };
+    double *xy = add_ring(&t, s.n);
+    uint32_t *to = malloc(s.n * sizeof *to);
+    for (size_t i = 0; i < s.n; i++)
+        to[i] = (uint32_t)i;
+    for (size_t i = s.n - 1; i > 0; i--) {
+        size_t k = (size_t)random_in(seed, 0, (double)i + 1);
+        uint32_t keep = to[i];
+        to[i] = to[k], to[k] = keep;
+    }
+    for (size_t i = 0; i < s.n; i++) {
+        xy[2 * to[i]] = s.xy[2 * i], xy[2 * to[i] + 1] = s.xy[2 * i + 1];
+        t.next[to[i]] = to[s.next[i]];
+    }
+    free(to);
+    free_shape(&s);
+    return t;
+}
+
+static void vertices_in_any_order_make_the_same_map(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    shape s = { 0 };
+    add_star(&s, 301, 60, 50, 35, 0.2, 6);
+    add_star(&s, -77, 60, 50, 12, 0.1, 3);
+    check(shuffled(s, &seed), 120, 100, 1);
+}
+
 static void segments_without_length_are_points(void **state)
 {
     (void)state;
@@ -333,6 +365,7 @@ static void between_nodes_it_is_bilinear_and_beyond_the_border_as_on_it(void **s
         float one[3]; /* however many are asked for at once */
         il_distance_sample(&d, &x[k], &y[k], 1, &one[0], &one[1], &one[2]);
         assert_true(one[0] == phi[k] && one[1] == gx[k] && one[2] == gy[k]);
+        assert_true(fabs(il_distance_foot(&d, x[k], y[k]).distance - fabs(brute(&s, px, py))) < 1e-5);
     }
     float nan = NAN;
     assert_true(isfinite(phi_at(&d, nan, nan)));
@@ -417,6 +450,7 @@ int main(void)
         cmocka_unit_test(it_is_the_distance_to_the_nearest_segment),
         cmocka_unit_test(nested_rings_change_sides_each),
         cmocka_unit_test(thousands_of_segments_are_fine),
+        cmocka_unit_test(vertices_in_any_order_make_the_same_map),
         cmocka_unit_test(segments_without_length_are_points),
         cmocka_unit_test(rasters_of_any_size_do),
         cmocka_unit_test(vertices_on_nodes_and_edges_along_rows_keep_the_parity),

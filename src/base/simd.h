@@ -31,8 +31,8 @@ typedef int32_t il_i8 __attribute__((vector_size(32)));
  * no one way of being passed. */
 #define IL_LANEWISE static inline __attribute__((always_inline))
 
-/* X - 0 is X, and one instruction; gcc 12 takes eight for { x, x, ... } when the
- * lanes are looked at one by one later. */
+/* Of the ways to say it these are the ones that gcc 12 makes one instruction of,
+ * wherever they stand: { x, x, ... } is sometimes eight.  X - 0 is X. */
 IL_LANEWISE il_f8 il_f8_all(float x)
 {
     return x - (il_f8){ 0 };
@@ -40,7 +40,10 @@ IL_LANEWISE il_f8 il_f8_all(float x)
 
 IL_LANEWISE il_i8 il_i8_all(int32_t x)
 {
-    return x + (il_i8){ 0 };
+    il_i8 v = { 0 };
+    for (int i = 0; i < IL_LANES; i++)
+        v[i] = x;
+    return v;
 }
 
 /* From and to any address of floats. */
@@ -85,26 +88,41 @@ IL_LANEWISE il_f8 il_f8_abs(il_f8 v)
 /* Rounded correctly, as sqrtf is, which would set errno lane by lane. */
 IL_LANEWISE il_f8 il_f8_root(il_f8 v)
 {
-#ifdef __SSE2__
-    __m128 half[2];
-    memcpy(half, &v, sizeof v);
-    half[0] = _mm_sqrt_ps(half[0]);
-    half[1] = _mm_sqrt_ps(half[1]);
-    memcpy(&v, half, sizeof v);
+#if defined __SSE2__ && (defined __clang__ || __GNUC__ >= 12)
+    __m128 low = _mm_sqrt_ps(__builtin_shufflevector(v, v, 0, 1, 2, 3));
+    __m128 high = _mm_sqrt_ps(__builtin_shufflevector(v, v, 4, 5, 6, 7));
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 #else
     for (int i = 0; i < IL_LANES; i++)
         v[i] = sqrtf(v[i]);
-#endif
     return v;
+#endif
 }
 
 /* The least lane. */
 IL_LANEWISE float il_f8_least(il_f8 v)
 {
-    float least = v[0];
-    for (int i = 1; i < IL_LANES; i++)
-        least = v[i] < least ? v[i] : least;
-    return least;
+    float a[IL_LANES / 2];
+    for (int i = 0; i < IL_LANES / 2; i++)
+        a[i] = v[i] < v[i + IL_LANES / 2] ? v[i] : v[i + IL_LANES / 2];
+    a[0] = a[0] < a[2] ? a[0] : a[2];
+    a[1] = a[1] < a[3] ? a[1] : a[3];
+    return a[0] < a[1] ? a[0] : a[1];
+}
+
+/* The sign of lane i as bit i. */
+IL_LANEWISE uint32_t il_f8_signs(il_f8 v)
+{
+#ifdef __SSE2__
+    __m128 half[2];
+    memcpy(half, &v, sizeof v);
+    return (uint32_t)(_mm_movemask_ps(half[0]) | _mm_movemask_ps(half[1]) << 4);
+#else
+    uint32_t bits = 0;
+    for (int i = 0; i < IL_LANES; i++)
+        bits |= (uint32_t)((il_i8)v)[i] >> 31 << i;
+    return bits;
+#endif
 }
 
 /* Lane by lane A where MASK is -1, B where it is 0. */

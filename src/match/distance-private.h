@@ -33,9 +33,10 @@ typedef struct il_distance_near {
     float excess[IL_LANES];  /* |m - f|^2 less that of the segment nearest to m */
 } il_distance_near;
 
-/* From eight segments' feet to a point: squares of lengths, ways. */
+/* From eight segments' feet to the middle of a square: squares of lengths, ways,
+ * and what the square of a length can lack because the foot moves in the square. */
 typedef struct il_distance_way {
-    float square[IL_LANES], x[IL_LANES], y[IL_LANES];
+    float square[IL_LANES], x[IL_LANES], y[IL_LANES], lack[IL_LANES];
 } il_distance_way;
 
 /* A segment as a quarter of a tile sees it: what is the same along a row of it. */

@@ -19,8 +19,8 @@ enum {
 /* Half diagonal of a tile: sqrt(2) * 7.5, rounded up. */
 static const float TILE_RADIUS = 10.60661f;
 
-/* From here on distances are told by how far they differ from that of the
- * middle: a float near 100 has a place in 1e-5 left. */
+/* From here on distances are told by how far they differ from that of the tile's
+ * middle: what floats lose in squares of such numbers comes near to 1e-5. */
 #define FAR 32
 
 /* ---- culling ---- */
@@ -45,52 +45,100 @@ IL_CLONES static float bound_runs(const il_distance_box *box, size_t n_runs, flo
     return sqrtf(il_f8_least(least));
 }
 
-IL_LANEWISE void store_way(il_distance_way *w, il_f8 x, il_f8 y)
+/* The way (X, Y) from the foot on a segment along (UX, UY), BEYOND it at one end.
+ * In a square of half a side HALF the foot moves along by no more than the square
+ * reaches out past that end. */
+IL_LANEWISE void store_way(il_distance_way *w, il_f8 x, il_f8 y, il_f8 ux, il_f8 uy, il_f8 beyond, float half)
 {
+    il_f8 moves = il_f8_max((il_f8_abs(ux) + il_f8_abs(uy)) * half - il_f8_abs(beyond), il_f8_all(0));
     il_f8_store(w->square, x * x + y * y);
     il_f8_store(w->x, x);
     il_f8_store(w->y, y);
+    il_f8_store(w->lack, moves * moves);
 }
 
 IL_CLONES static void measure_runs(const il_distance_run *run, const uint32_t *kept, size_t n,
-                                   float x, float y, il_distance_way *way)
+                                   float x, float y, float half, il_distance_way *way)
 {
     il_f8 none = il_f8_all(0);
     for (size_t i = 0; i < n; i++) {
         const il_distance_run *r = &run[kept[i]];
         il_f8 ux = il_f8_load(r->ux), uy = il_f8_load(r->uy);
         il_f8 px = x - il_f8_load(r->ax), py = y - il_f8_load(r->ay);
-        il_f8 along = il_f8_min(il_f8_max(px * ux + py * uy, none), il_f8_load(r->length));
-        store_way(&way[i], px - along * ux, py - along * uy);
+        il_f8 along = px * ux + py * uy;
+        il_f8 foot = il_f8_min(il_f8_max(along, none), il_f8_load(r->length));
+        store_way(&way[i], px - foot * ux, py - foot * uy, ux, uy, along - foot, half);
     }
 }
 
-/* Of N ways those of segments that can be nearest within HALF of (X, Y) in x and y.
+/* A segment that may rule out others. */
+typedef struct rival { float square, x, y; } rival;
+enum { RIVALS = 4 };
+
+/* A key of 22 bits of a length >= 0 and 10 of an index, to be compared as a float:
+ * which of two lengths that are nearly the same is less does not matter here. */
+enum { INDEX_BITS = 0x3ff };
+
+IL_LANEWISE void keep_less(il_f8 *key, il_f8 length, il_i8 index)
+{
+    *key = il_f8_min((il_f8)(((il_i8)length & ~INDEX_BITS) | (index & INDEX_BITS)), *key);
+}
+
+IL_LANEWISE rival least_rival(const il_distance_way *way, il_f8 key)
+{
+    uint32_t index;
+    float least = il_f8_least(key);
+    memcpy(&index, &least, sizeof index);
+    const il_distance_way *w = &way[(index & INDEX_BITS) / IL_LANES];
+    return (rival){ w->square[index % IL_LANES], w->x[index % IL_LANES], w->y[index % IL_LANES] };
+}
+
+/* Those nearest to the middles of the sides, were their feet to stay: each rules out
+ * what lies beyond its side.  The least square. */
+IL_LANEWISE float find_rivals(rival *a, const il_distance_way *way, size_t n, float half)
+{
+    il_f8 key[RIVALS];
+    for (int k = 0; k < RIVALS; k++)
+        key[k] = il_f8_all(INFINITY);
+    il_i8 index = { 0, 1, 2, 3, 4, 5, 6, 7 };
+    for (size_t i = 0; i < n; i += IL_LANES, index += IL_LANES) {
+        const il_distance_way *w = &way[i / IL_LANES];
+        il_f8 q = il_f8_load(w->square), x = il_f8_load(w->x) * (2 * half), y = il_f8_load(w->y) * (2 * half);
+        q += half * half;
+        keep_less(&key[0], q + x, index);
+        keep_less(&key[1], q - x, index);
+        keep_less(&key[2], q + y, index);
+        keep_less(&key[3], q - y, index);
+    }
+    float least = INFINITY;
+    for (int k = 0; k < RIVALS; k++) {
+        a[k] = least_rival(way, key[k]);
+        least = a[k].square < least ? a[k].square : least;
+    }
+    return least;
+}
+
+/* Of N ways those of segments that can be nearest within HALF of the middle in x and y.
  *
- * Segment B cannot be where A is: its squared distance is convex, so that at
- * (X, Y) + p it is at least |b|^2 + 2 b.p, with b the way from its foot; to the
- * foot of A it is |a|^2 + 2 a.p + |p|^2.  The difference is convex in p, so it is
- * negative everywhere if it is at the corners.  A is the nearest one to (X, Y). */
+ * With b the way from the foot of segment B to the middle m, the squared distance
+ * of m + p from B is at least |b + p|^2 - lack, and that from A at most |a + p|^2.
+ * The difference is linear in p, so it is least in a corner of the square: there
+ *     |b|^2 - |a|^2 - lack - 2 HALF (|b_x - a_x| + |b_y - a_y|).
+ * Where that is positive B is out. */
 IL_CLONES static size_t keep(const il_distance_way *way, size_t n, float half, float slack, uint32_t *kept)
 {
-    il_f8 lanes = il_f8_all(INFINITY);
-    for (size_t i = 0; i < n; i += IL_LANES)
-        lanes = il_f8_min(il_f8_load(way[i / IL_LANES].square), lanes);
-    float least = il_f8_least(lanes);
-    size_t a = 0;
-    while (a < n - 1 && way[a / IL_LANES].square[a % IL_LANES] > least)
-        a++;
-    float ax = way[a / IL_LANES].x[a % IL_LANES], ay = way[a / IL_LANES].y[a % IL_LANES];
-    float most = least + 2 * half * half + slack * (1 + sqrtf(least));
+    rival a[RIVALS];
+    float most = slack * (32 + 2 * sqrtf(find_rivals(a, way, n, half)));
     size_t n_kept = 0;
-    for (size_t i = 0; i < n; i += IL_LANES) {
-        const il_distance_way *w = &way[i / IL_LANES];
-        il_f8 apart = il_f8_abs(il_f8_load(w->x) - ax) + il_f8_abs(il_f8_load(w->y) - ay);
-        float beyond[IL_LANES];
-        il_f8_store(beyond, il_f8_load(w->square) - (apart * (2 * half) + most));
+    for (size_t i = 0; i < n; i += IL_LANES, way++) {
+        il_f8 own = il_f8_load(way->square) - il_f8_load(way->lack) - most, x = il_f8_load(way->x), y = il_f8_load(way->y);
+        il_f8 out = il_f8_all(-INFINITY);
+        for (int k = 0; k < RIVALS; k++)
+            out = il_f8_max(own - a[k].square - (il_f8_abs(x - a[k].x) + il_f8_abs(y - a[k].y)) * (2 * half), out);
+        uint32_t signs = il_f8_signs(out);
         for (size_t k = 0; k < IL_LANES && i + k < n; k++) {
             kept[n_kept] = (uint32_t)(i + k);
-            n_kept += !(beyond[k] > 0);
+            n_kept += signs >> k & 1;
         }
     }
     return n_kept;
@@ -108,7 +156,7 @@ static bool cull_all(il_distance *d, float x, float y)
     }
     if (!il_grow(&d->candidate, &d->cap_candidate, d->n_candidates + n_runs * IL_LANES, sizeof *d->candidate))
         return false;
-    measure_runs(d->run, d->kept, n_runs, x, y, d->way);
+    measure_runs(d->run, d->kept, n_runs, x, y, 0.5f * IL_TILE_CELLS, d->way);
     size_t n = n_runs * IL_LANES; /* the last run may be filled up */
     if (d->kept[n_runs - 1] == d->n_runs - 1)
         n -= d->n_runs * IL_LANES - d->n;
@@ -196,7 +244,7 @@ static view look(il_distance *d, const uint32_t *candidate, size_t n, double x, 
 
 /* ---- a quarter of a tile ---- */
 
-IL_CLONES static void measure_near(const view *v, float x, float y, il_distance_way *way)
+IL_CLONES static void measure_near(const view *v, float x, float y, float reach, il_distance_way *way)
 {
     for (size_t i = 0; i < v->n; i += IL_LANES) {
         const il_distance_near *s = &v->near[i / IL_LANES];
@@ -204,7 +252,7 @@ IL_CLONES static void measure_near(const view *v, float x, float y, il_distance_
         il_f8 along = x * ux + (y * uy + il_f8_load(s->k));
         il_f8 beyond = along - il_f8_max(il_f8_min(along, half), -half);
         il_f8 across = x * uy - (y * ux - il_f8_load(s->across));
-        store_way(&way[i / IL_LANES], beyond * ux + across * uy, beyond * uy - across * ux);
+        store_way(&way[i / IL_LANES], beyond * ux + across * uy, beyond * uy - across * ux, ux, uy, beyond, reach);
     }
 }
 
@@ -237,10 +285,10 @@ IL_CLONES static void measure_rows(const il_distance_rows *rows, size_t n, float
 {
     il_f8 px = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + x, none = il_f8_all(0);
     for (int j = 0; j < QUARTER_NODES; j++) {
-        row_state r = { il_f8_all(INFINITY), il_i8_all((int32_t)rows->segment) };
+        row_state r = { il_f8_all(INFINITY), { 0 } };
         for (size_t i = 0; i < n; i++) {
             const il_distance_rows *s = &rows[i];
-            il_f8 beyond = il_f8_max(il_f8_abs(px * s->ux + s->along[j]) - s->half, none);
+            il_f8 beyond = il_f8_max(none, il_f8_abs(px * s->ux + s->along[j]) - s->half);
             il_f8 across = px * s->uy - s->across[j];
             compare(&r, beyond * beyond + across * across, s->segment);
         }
@@ -276,7 +324,7 @@ IL_CLONES static void measure_far_rows(const il_distance_rows *rows, size_t n, d
     float high = (float)distance, low = (float)(distance - (double)high);
     il_f8 px = (il_f8){ 0, 1, 2, 3, 4, 5, 6, 7 } + x;
     for (int j = 0; j < QUARTER_NODES; j++) {
-        row_state r = { il_f8_all(INFINITY), il_i8_all((int32_t)rows->segment) };
+        row_state r = { il_f8_all(INFINITY), { 0 } };
         for (size_t i = 0; i < n; i++) {
             const il_distance_rows *s = &rows[i];
             il_f8 along = px * s->ux + s->along[j], half = il_f8_all(s->half);
@@ -296,7 +344,7 @@ static void measure_quarter(il_distance *d, const view *v, int i, int j, float *
 {
     const float middle = 0.5f * IL_TILE_CELLS, half = 0.5f * (QUARTER_NODES - 1);
     float x = (float)i - middle, y = (float)j - middle;
-    measure_near(v, x + half, y + half, d->way);
+    measure_near(v, x + half, y + half, half, d->way);
     size_t n = keep(d->way, v->n, half, d->slack, d->kept);
     if (v->is_far) {
         lay_far_rows(v, d->kept, n, y, d->rows);
@@ -309,15 +357,18 @@ static void measure_quarter(il_distance *d, const view *v, int i, int j, float *
 
 /* ---- signs ---- */
 
-/* Nodes with their bit unset lie outside. */
-static void sign_row(float *value, uint32_t inside)
+/* Nodes whose bit is unset lie outside. */
+IL_LANEWISE void sign_row(float *value, uint32_t inside)
 {
-    for (int i = 0; i < IL_TILE_NODES; i++)
-        value[i] = inside >> i & 1 ? value[i] : -value[i];
+    const il_i8 to_top = { 31, 30, 29, 28, 27, 26, 25, 24 };
+    for (int i = 0; i < IL_TILE_NODES; i += IL_LANES) {
+        il_i8 sign = il_i8_all((int32_t)(~inside >> i)) << to_top & INT32_MIN;
+        il_f8_store(value + i, (il_f8)((il_i8)il_f8_load(value + i) ^ sign));
+    }
 }
 
 /* From node (I, J) of the raster; tiles at its end stick out. */
-static void sign_tile(const il_distance *d, size_t i, size_t j, float *value)
+IL_CLONES static void sign_tile(const il_distance *d, size_t i, size_t j, float *value)
 {
     size_t most = d->cells_y;
     for (size_t row = 0; row < IL_TILE_NODES; row++) {

@@ -58,27 +58,32 @@ static void toggle_segment(il_distance *d, const double *a, const double *b)
     }
 }
 
-/* Bit i of a row becomes the parity of bits 0 to i. */
-static void sum_row(uint64_t *row, size_t n)
+/* Four words at once. */
+typedef uint64_t words __attribute__((vector_size(32)));
+enum { WORDS = 4 };
+
+/* Bit i of a row becomes the parity of bits 0 to i: first in each word, then with
+ * the last bit of the word before. */
+IL_CLONES static void sum_rows(uint64_t *row, size_t n_rows, size_t row_words)
 {
-    uint64_t carry = 0;
-    for (size_t k = 0; k < n; k++) {
-        uint64_t w = row[k];
-        for (int shift = 1; shift < 64; shift *= 2)
-            w ^= w << shift;
-        row[k] = w ^ carry;
-        carry = row[k] >> 63 ? ~(uint64_t)0 : 0;
+    for (size_t k = 0; k < n_rows * row_words; k += WORDS) {
+        words w;
+        memcpy(&w, row + k, sizeof w);
+        w ^= w << 1, w ^= w << 2, w ^= w << 4, w ^= w << 8, w ^= w << 16, w ^= w << 32;
+        memcpy(row + k, &w, sizeof w);
     }
+    for (size_t j = 0; j < n_rows; j++, row += row_words)
+        for (size_t k = 1; k < row_words; k++)
+            row[k] ^= 0 - (row[k - 1] >> 63);
 }
 
 static void mark_inside(il_distance *d, const double *xy, const uint32_t *next)
 {
     size_t n_rows = d->cells_y + 1;
-    memset(d->inside, 0, n_rows * d->row_words * sizeof *d->inside);
+    memset(d->inside, 0, (n_rows * d->row_words + WORDS) * sizeof *d->inside);
     for (size_t i = 0; i < d->n; i++)
         toggle_segment(d, xy + 2 * i, xy + 2 * (size_t)next[i]);
-    for (size_t j = 0; j < n_rows; j++)
-        sum_row(d->inside + j * d->row_words, d->row_words);
+    sum_rows(d->inside, n_rows, d->row_words);
 }
 
 /* ---- beginning ---- */
@@ -94,7 +99,7 @@ static bool make_room(il_distance *d)
     return il_grow(&d->segment, &d->cap_segment, d->n, sizeof *d->segment)
         && il_grow(&d->run, &d->cap_run, d->n_runs, sizeof *d->run)
         && il_grow(&d->box, &d->cap_box, groups(d->n_runs), sizeof *d->box)
-        && il_grow(&d->inside, &d->cap_inside, (d->cells_y + 1) * d->row_words, sizeof *d->inside)
+        && il_grow(&d->inside, &d->cap_inside, (d->cells_y + 1) * d->row_words + WORDS, sizeof *d->inside)
         && il_grow(&d->slot, &d->cap_slot, n_tiles, sizeof *d->slot)
         && il_grow(&d->first, &d->cap_first, 1, sizeof *d->first)
         && il_grow(&d->bound, &d->cap_bound, groups(d->n_runs) * IL_LANES, sizeof *d->bound)
@@ -113,7 +118,8 @@ static void lay_segments(il_distance *d, const double *xy, const uint32_t *next)
         bool point = length < SHORTEST;
         double by = point ? 0 : 1 / length;
         d->segment[i] = (il_distance_segment){ a[0], a[1], point ? 1 : by * dx, by * dy, point ? 0 : length };
-        reach = fmax(reach, fmax(fabs(a[0]), fabs(a[1])));
+        reach = fabs(a[0]) > reach ? fabs(a[0]) : reach;
+        reach = fabs(a[1]) > reach ? fabs(a[1]) : reach;
     }
     /* Coordinates of that size are off by 2^-24 of it each, and so is every step
      * of the arithmetic with them: some ten of these, taken as 2^-19. */
@@ -133,20 +139,18 @@ static void lay_runs(il_distance *d)
         }
 }
 
-static void lay_boxes(il_distance *d)
+IL_CLONES static void lay_boxes(il_distance *d)
 {
     for (size_t i = 0; i < groups(d->n_runs) * IL_LANES; i++) {
         const il_distance_run *r = &d->run[i < d->n_runs ? i : d->n_runs - 1];
-        float x[2] = { INFINITY, -INFINITY }, y[2] = { INFINITY, -INFINITY };
-        for (size_t k = 0; k < IL_LANES; k++) {
-            float bx = r->ax[k] + r->length[k] * r->ux[k], by = r->ay[k] + r->length[k] * r->uy[k];
-            x[0] = fminf(x[0], fminf(r->ax[k], bx)), x[1] = fmaxf(x[1], fmaxf(r->ax[k], bx));
-            y[0] = fminf(y[0], fminf(r->ay[k], by)), y[1] = fmaxf(y[1], fmaxf(r->ay[k], by));
-        }
+        il_f8 ax = il_f8_load(r->ax), ay = il_f8_load(r->ay), length = il_f8_load(r->length);
+        il_f8 bx = ax + length * il_f8_load(r->ux), by = ay + length * il_f8_load(r->uy);
+        float x0 = il_f8_least(il_f8_min(ax, bx)), x1 = -il_f8_least(il_f8_min(-ax, -bx));
+        float y0 = il_f8_least(il_f8_min(ay, by)), y1 = -il_f8_least(il_f8_min(-ay, -by));
         il_distance_box *to = &d->box[i / IL_LANES];
         size_t k = i % IL_LANES;
-        to->x[k] = 0.5f * (x[0] + x[1]), to->half_x[k] = 0.5f * (x[1] - x[0]);
-        to->y[k] = 0.5f * (y[0] + y[1]), to->half_y[k] = 0.5f * (y[1] - y[0]);
+        to->x[k] = 0.5f * (x0 + x1), to->half_x[k] = 0.5f * (x1 - x0);
+        to->y[k] = 0.5f * (y0 + y1), to->half_y[k] = 0.5f * (y1 - y0);
         to->on_x[k] = r->ax[IL_LANES / 2], to->on_y[k] = r->ay[IL_LANES / 2];
     }
 }
@@ -196,26 +200,71 @@ static int32_t slot_of(il_distance *d, uint32_t i, uint32_t j)
     return slot >= 0 ? slot : il_distance_make_tile(d, t);
 }
 
+/* Of node (I, J), in `value` and `nearest`. */
+static size_t place_in_tile(int32_t slot, uint32_t i, uint32_t j)
+{
+    return ((size_t)slot * IL_TILE_NODES + j % IL_TILE_CELLS) * IL_TILE_NODES + i % IL_TILE_CELLS;
+}
+
+/* Phi at the corners of eight cells. */
+typedef struct corners { float v[4][IL_LANES]; } corners;
+
+/* Of cells with their first corner AT so far in TILE; zeros without memory. */
+IL_LANEWISE void fetch(il_distance *d, il_i8 tile, il_i8 at, corners *c)
+{
+    static const float none[IL_TILE_NODES + 2];
+    for (int k = 0; k < IL_LANES; k++) {
+        int32_t slot = d->slot[tile[k]];
+        if (slot < 0)
+            slot = il_distance_make_tile(d, (uint32_t)tile[k]);
+        const float *v = slot < 0 ? none : d->value + slot * (IL_TILE_NODES * IL_TILE_NODES) + at[k];
+        c->v[0][k] = v[0], c->v[1][k] = v[1];
+        c->v[2][k] = v[IL_TILE_NODES], c->v[3][k] = v[IL_TILE_NODES + 1];
+    }
+}
+
+/* The whole part of V >= 0. */
+IL_LANEWISE il_f8 whole(il_f8 v)
+{
+    return __builtin_convertvector(__builtin_convertvector(v, il_i8), il_f8);
+}
+
+/* Eight points.  Cells and tiles are counted in floats, which hold such numbers
+ * exactly and multiply on every processor; (i + 1/2) / 15 is never near a whole number. */
+IL_CLONES static void sample_lanes(il_distance *d, const float *x, const float *y, float *phi, float *gx, float *gy)
+{
+    const float per_cell = 1.0f / IL_TILE_CELLS;
+    il_f8 none = il_f8_all(0), cells_x = il_f8_all((float)d->cells_x), cells_y = il_f8_all((float)d->cells_y);
+    il_f8 px = il_f8_min(il_f8_max(il_f8_load(x), none), cells_x), i = il_f8_min(whole(px), cells_x - 1);
+    il_f8 py = il_f8_min(il_f8_max(il_f8_load(y), none), cells_y), j = il_f8_min(whole(py), cells_y - 1);
+    il_f8 tile_i = whole((i + 0.5f) * per_cell), tile_j = whole((j + 0.5f) * per_cell);
+    il_f8 at = (j - tile_j * IL_TILE_CELLS) * IL_TILE_NODES + (i - tile_i * IL_TILE_CELLS);
+    corners c;
+    fetch(d, __builtin_convertvector(tile_j * (float)d->tiles_x + tile_i, il_i8), __builtin_convertvector(at, il_i8), &c);
+    il_f8 v = il_f8_load(c.v[0]), below = il_f8_load(c.v[1]) - v, left = il_f8_load(c.v[2]) - v;
+    il_f8 twist = il_f8_load(c.v[3]) - il_f8_load(c.v[2]) - below;
+    il_f8 tx = px - i, ty = py - j, slope = below + ty * twist;
+    il_f8_store(gx, slope);
+    il_f8_store(gy, left + tx * twist);
+    il_f8_store(phi, v + tx * slope + ty * left);
+}
+
 void il_distance_sample(il_distance *d, const float *x, const float *y, size_t n,
                         float *phi, float *gx, float *gy)
 {
-    for (size_t k = 0; k < n; k++) {
-        float px = clamp(x[k], (float)d->cells_x), py = clamp(y[k], (float)d->cells_y);
-        uint32_t i = cell_of(px, d->cells_x), j = cell_of(py, d->cells_y);
-        int32_t slot = slot_of(d, i, j);
-        if (slot < 0) {
-            phi[k] = gx[k] = gy[k] = 0;
-            continue;
-        }
-        const float *v = d->value + (size_t)slot * (IL_TILE_NODES * IL_TILE_NODES)
-                       + j % IL_TILE_CELLS * IL_TILE_NODES + i % IL_TILE_CELLS;
-        float tx = px - (float)i, ty = py - (float)j;
-        float below = v[1] - v[0], above = v[IL_TILE_NODES + 1] - v[IL_TILE_NODES];
-        float left = v[IL_TILE_NODES] - v[0], twist = above - below;
-        gx[k] = below + ty * twist;
-        gy[k] = left + tx * twist;
-        phi[k] = v[0] + tx * gx[k] + ty * left;
+    size_t k = 0;
+    for (; k + IL_LANES <= n; k += IL_LANES)
+        sample_lanes(d, x + k, y + k, phi + k, gx + k, gy + k);
+    if (k == n)
+        return;
+    float in[2][IL_LANES], out[3][IL_LANES];
+    for (size_t m = 0; m < IL_LANES; m++) {
+        in[0][m] = x[k + m < n ? k + m : k];
+        in[1][m] = y[k + m < n ? k + m : k];
     }
+    sample_lanes(d, in[0], in[1], out[0], out[1], out[2]);
+    for (size_t m = 0; k + m < n; m++)
+        phi[k + m] = out[0][m], gx[k + m] = out[1][m], gy[k + m] = out[2][m];
 }
 
 /* ---- feet ---- */
@@ -233,11 +282,13 @@ static place foot_on(const il_distance_segment *s, double x, double y)
 il_foot il_distance_foot(il_distance *d, float x, float y)
 {
     x = clamp(x, (float)d->cells_x), y = clamp(y, (float)d->cells_y);
-    int32_t slot = slot_of(d, cell_of(x, d->cells_x), cell_of(y, d->cells_y));
+    uint32_t i = cell_of(x, d->cells_x), j = cell_of(y, d->cells_y);
+    int32_t slot = slot_of(d, i, j);
     if (slot < 0)
         return (il_foot){ 0, 0, 0 };
-    place best = { 0, INFINITY };
-    uint32_t nearest = 0;
+    /* That of the cell's corner is most often the one: hardly another will be nearer. */
+    uint32_t nearest = d->nearest[place_in_tile(slot, i, j)];
+    place best = foot_on(&d->segment[nearest], x, y);
     for (uint32_t c = d->first[slot]; c < d->first[slot + 1]; c++) {
         place p = foot_on(&d->segment[d->candidate[c]], x, y);
         if (p.distance2 < best.distance2) {

@@ -1,5 +1,6 @@
 #include "config.h"
 #include "base/alloc.h"
+#include "loft/slab.h"
 #include "lofting.h"
 #include "region/clean.h"
 #include "stacks.h"
@@ -210,6 +211,78 @@ static void slices_that_correspond_are_settled_by_their_arcs(void **state)
     }
 }
 
+/* A finger of the upper slice that the lower lacks: the rest of the rings is
+ * matched, from place to place within edges, and the finger's tip is capped. */
+static void a_finger_without_a_partner_is_left_out_of_the_wall(void **state)
+{
+    (void)state;
+    static const double body[][2] = { { 0, 0 }, { 10, 0 }, { 10, 4 }, { 10, 5 }, { 10, 6 }, { 10, 10 }, { 0, 10 } };
+    static const double finger[][2] = { { 0, 0 }, { 10, 0 }, { 10, 4 }, { 18, 4.5 }, { 18, 5.5 }, { 10, 6 }, { 10, 10 }, { 0, 10 } };
+    for (int zero = 0; zero < 2; zero++) { /* the base of the finger: as wide as it is, or one place */
+        il_slice slice[2] = { new_slice(0), new_slice(1) };
+        il_ring *low = il_slice_add_ring(&slice[0]), *high = il_slice_add_ring(&slice[1]);
+        for (size_t i = 0; i < 7; i++)
+            assert_true(il_ring_add(low, body[i][0], body[i][1], 0));
+        for (size_t i = 0; i < 8; i++)
+            assert_true(il_ring_add(high, finger[i][0] + 30, finger[i][1], 0));
+        clean(&slice[0]), clean(&slice[1]);
+        double area = il_slice_area(&slice[0]), with_finger = il_slice_area(&slice[1]);
+        warp w = { warp_affine, { 1, 0, 0, 1, -30, 0 }, 1 };
+        il_pair p = warp_pair(&slice[0], &slice[1], &w);
+        il_place both = { 0, 3, 0 }, finger_end = { 0, 1, .875 }, finger_begin = { 0, 5, .25 };
+        if (zero)
+            warp_match_arcs(&p, (il_arc){ both, both }, (il_arc){ { 0, 5, 0 }, { 0, 2, 0 } });
+        else
+            warp_match_arcs(&p, (il_arc){ { 0, 4, .25 }, { 0, 1, .875 } }, (il_arc){ finger_begin, finger_end });
+        keeper k = loft_two(slice, &p);
+        assert_int_equal(k.facts.components, 1);
+        assert_int_equal(k.facts.genus, 0);
+        assert_true(settled_by(&k, IL_ATTEMPT_S));
+        assert_true(k.facts.volume > area && k.facts.volume < with_finger);
+        il_mesh_free(&k.mesh);
+    }
+}
+
+/* ---- several slabs ---- */
+
+/* Five slices that wander: every other slab is left without arcs, so that it
+ * puts points on the contours that its neighbours' arcs lie on. */
+static void points_that_neighbours_insert_are_matched_too(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 20; seed++) {
+        il_slice slice[5];
+        il_pair pair[4];
+        uint64_t s = seed;
+        double volume = 0;
+        for (int i = 0; i < 5; i++) {
+            slice[i] = new_slice(i);
+            add_star(&slice[i], 7 * i, 3 * i, 5, .2, 3, 30 + (int)(stack_random(&s) % 30), false);
+            clean(&slice[i]);
+            if (i > 0) {
+                warp w = { warp_affine, { 1, 0, 0, 1, -7, -3 }, 1 };
+                pair[i - 1] = warp_pair(&slice[i - 1], &slice[i], &w);
+                if ((seed + (uint64_t)i) % 2)
+                    warp_match_rings(&pair[i - 1], 0, 0, 0, 0);
+                volume += (il_slice_area(&slice[i - 1]) + il_slice_area(&slice[i])) / 2;
+            }
+        }
+        il_loft_options o = IL_LOFT_OPTIONS_INIT;
+        il_error err = IL_ERROR_INIT;
+        keeper k = new_keeper();
+        if (loft_pairs(&k, slice, 5, pair, &o, &err) != IL_OK)
+            fail_msg("seed %llu: %s", (unsigned long long)seed, err.text);
+        assert_sound(&k, "wandering", seed);
+        assert_int_equal(k.facts.components, 1);
+        assert_true(k.facts.vertices > k.facts.points);
+        assert_true(k.facts.length_by[IL_ATTEMPT_S] > 0 && k.facts.length_by[IL_ATTEMPT_P] > 0);
+        assert_true(k.facts.length_by[IL_ATTEMPT_B] == 0);
+        assert_true(fabs(k.facts.volume - volume) < .02 * volume);
+        il_mesh_free(&k.mesh);
+        free_slices(slice, 5);
+    }
+}
+
 /* ---- groups ---- */
 
 static void two_rings_that_slant_past_each_other_are_two_pieces(void **state)
@@ -348,6 +421,44 @@ static void a_map_to_far_away_makes_two_caps(void **state)
     il_pair p = warp_pair(&slice[0], &slice[1], &w);
     keeper k = loft_two(slice, &p);
     il_mesh_free(&k.mesh);
+}
+
+/* ---- without memory ---- */
+
+/* Every allocation fails in turn while two groups are lofted, joined and lofted again. */
+static void without_memory_it_fails_cleanly(void **state)
+{
+    (void)state;
+    il_status st = IL_E_NOMEM;
+    for (long limit = 0; st != IL_OK; limit++) {
+        static const uint32_t lower[2] = { 0, 1 }, upper[2] = { 1, 0 };
+        il_slice slice[2] = { new_slice(0), new_slice(1) };
+        for (int i = 0; i < 2; i++) {
+            add_circle(&slice[i], 0, 0, 1, 5);
+            add_circle(&slice[i], 3, 0, 1, 5);
+            clean(&slice[i]);
+        }
+        warp w = { warp_affine, { 1, 0, 0, 1, 0, 0 }, 1 };
+        il_pair p = warp_pair(&slice[0], &slice[1], &w);
+        for (size_t i = 0; i < p.n_phi; i++)
+            p.phi[i].x += p.phi[i].at.ring == 0 ? 3 : -3;
+        warp_regroup(&p, lower, 2, upper, 2, 2);
+        warp_match_rings(&p, 0, 0, 1, 0);
+        il_section section[2];
+        il_error err = IL_ERROR_INIT;
+        for (int i = 0; i < 2; i++)
+            assert_int_equal(il_section_from_slice(&section[i], &slice[i], &err), IL_OK);
+        il_slab slab;
+        il_alloc_test_fail_after(limit);
+        st = il_slab_loft(&slab, &section[0], &section[1], &p, false, &err);
+        il_alloc_test_fail_after(-1);
+        assert_true(st == IL_OK || st == IL_E_NOMEM);
+        il_slab_free(&slab);
+        for (int i = 0; i < 2; i++)
+            il_section_free(&section[i]);
+        free_slices(slice, 2);
+        il_pair_free(&p);
+    }
 }
 
 /* ---- anything ---- */
@@ -504,11 +615,14 @@ int main(void)
         cmocka_unit_test(a_tube_that_slants_keeps_its_bore),
         cmocka_unit_test(without_matched_arcs_phi_alone_does_it),
         cmocka_unit_test(slices_that_correspond_are_settled_by_their_arcs),
+        cmocka_unit_test(a_finger_without_a_partner_is_left_out_of_the_wall),
+        cmocka_unit_test(points_that_neighbours_insert_are_matched_too),
         cmocka_unit_test(two_rings_that_slant_past_each_other_are_two_pieces),
         cmocka_unit_test(groups_whose_surfaces_cross_are_joined),
         cmocka_unit_test(rings_in_no_group_are_capped),
         cmocka_unit_test(what_phi_has_wrong_falls_to_the_identity),
         cmocka_unit_test(a_map_to_far_away_makes_two_caps),
+        cmocka_unit_test(without_memory_it_fails_cleanly),
         cmocka_unit_test(whatever_the_pairs_say_the_mesh_is_sound_for_any_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,6 +2,7 @@
 #include "loft/attempt.h"
 #include "base/alloc.h"
 #include "loft/build.h"
+#include "loft/handles.h"
 
 #include <math.h>
 #include <string.h>
@@ -208,17 +209,41 @@ static il_status attempt_deformed(il_outcome *out, const il_task *task, il_attem
     return st;
 }
 
+/* One more attempt; it becomes *BEST unless that is sound (*HANDLES is not
+ * negative) and has no more handles. */
+static il_status try_attempt(il_outcome *best, long *handles, const il_task *task, il_attempt attempt, il_error *err)
+{
+    il_outcome next = IL_OUTCOME_INIT;
+    long own = 0;
+    bool any = *handles >= 0;
+    il_status st = attempt == IL_ATTEMPT_B ? attempt_identity(&next, task, err) : attempt_deformed(&next, task, attempt, err);
+    bool sound = st == IL_OK && next.verdict.flaw == IL_FLAW_NONE;
+    if (sound && (any || attempt != IL_ATTEMPT_B))
+        st = il_surface_handles(&next.surface, task->lower, task->upper, &own, err);
+    if (!any || (sound && own < *handles)) {
+        il_outcome swap = *best;
+        *best = next;
+        next = swap;
+        if (sound)
+            *handles = own;
+    }
+    il_outcome_free(&next);
+    return st;
+}
+
+/* In turn, until one is sound and has no handle: between two slices there is no
+ * reason to make one, and phi does where it maps something that ends in between.
+ * If all have some, the one with the fewest, the first of these. */
 il_status il_attempt_group(il_outcome *out, const il_task *task, il_error *err)
 {
+    bool deformed = task->phi && task->lower->n_stations > 0 && task->upper->n_stations > 0;
+    long handles = -1;
     il_status st = IL_OK;
-    out->verdict.flaw = IL_FLAW_REFERENCE;
-    if (task->phi && task->lower->n_stations > 0 && task->upper->n_stations > 0) {
-        if (task->n_matches > 0)
-            st = attempt_deformed(out, task, IL_ATTEMPT_S, err);
-        if (st == IL_OK && out->verdict.flaw != IL_FLAW_NONE && !task->as_they_lie)
-            st = attempt_deformed(out, task, IL_ATTEMPT_P, err);
-    }
-    if (st == IL_OK && out->verdict.flaw != IL_FLAW_NONE)
-        st = attempt_identity(out, task, err);
+    if (deformed && task->n_matches > 0)
+        st = try_attempt(out, &handles, task, IL_ATTEMPT_S, err);
+    if (st == IL_OK && deformed && !task->as_they_lie && handles != 0)
+        st = try_attempt(out, &handles, task, IL_ATTEMPT_P, err);
+    if (st == IL_OK && handles != 0)
+        st = try_attempt(out, &handles, task, IL_ATTEMPT_B, err);
     return st;
 }

@@ -123,10 +123,12 @@ void il_pair_free(il_pair *p);
 void il_fit_free(il_fit *f);          /* with its lattices; all zero afterwards */
 /* May the surface follow phi?  A small residual does not tell: a map that had to
  * stretch the rings unevenly, or to squeeze the plane beside them, takes what has
- * no partner for something else.  Bounds for the distortion, and for the least
- * Jacobian over that of the global step, measured on sliced solids: beyond them
- * the slices as they lie are the better guide. */
-#define IL_DISTORTION_MOST 0.4
+ * no partner for something else.  Bounds for the distortion, without and with a
+ * global step, and for the least Jacobian over that of the global step, measured
+ * on sliced solids: beyond them the slices as they lie are the better guide.
+ * They are a poorer one where a global step was needed. */
+#define IL_DISTORTION_MOST 0.2
+#define IL_DISTORTION_MOST_MOVED 0.4
 #define IL_SQUEEZE_MOST 0.25
 bool il_fit_is_trusted(const il_fit *f);
 void il_fit_drop_lattices(il_fit *f); /* they alone; `steps` still says how many */

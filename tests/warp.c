@@ -60,6 +60,7 @@ static void fill_fit(il_fit *f, const il_pair *p, const il_slice *lower, const w
         f->global[k] = w->a[k];
     for (int k = 0; k < 2 && w->map == warp_wavy; k++)
         f->global[4 + k] = w->a[k];
+    f->least_jacobian = f->global[0] * f->global[3] - f->global[1] * f->global[2]; /* to be trusted */
 }
 
 static il_group *add_group(il_pair *p)
@@ -93,7 +94,7 @@ il_pair warp_pair(const il_slice *lower, const il_slice *upper, const warp *w)
 void warp_match_arcs(il_pair *p, il_arc lower, il_arc upper)
 {
     must(il_grow(&p->match, &p->cap_matches, p->n_matches + 1, sizeof *p->match));
-    p->match[p->n_matches++] = (il_match){ lower, upper, 0, 0 };
+    p->match[p->n_matches++] = (il_match){ .lower = lower, .upper = upper };
 }
 
 void warp_match_rings(il_pair *p, uint32_t r, uint32_t v, uint32_t u, uint32_t k)

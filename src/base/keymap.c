@@ -53,9 +53,12 @@ uint32_t il_keymap_get(const il_keymap *m, uint64_t a, uint64_t b, uint32_t none
 
 uint32_t *il_keymap_put(il_keymap *m, uint64_t a, uint64_t b, uint32_t value)
 {
-    if (!il_keymap_reserve(m, m->n + 1))
+    bool room = il_keymap_reserve(m, m->n + 1);
+    if (!room && m->size == 0)
         return NULL;
     struct il_keymap_slot *s = find(m, a, b);
+    if (!room && !s->used)
+        return NULL; /* what is known needs no room */
     if (!s->used) {
         *s = (struct il_keymap_slot){ a, b, value, true };
         m->n++;

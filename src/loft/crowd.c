@@ -139,14 +139,15 @@ static uint32_t group_of_match(il_crowd *c, const il_match *m)
     return a == b ? a : UINT32_MAX;
 }
 
-/* May group I follow phi?  All that were joined to it must be allowed to. */
-static bool is_trusted(il_crowd *c, uint32_t i)
+/* Which groups may follow phi: those of which all that were joined may. */
+static void find_trusted(il_crowd *c, bool *trusted)
 {
     const il_pair *p = c->phi.pair;
-    for (uint32_t g = i; g < p->n_groups; g++)
-        if (p->group[g].fitted && !il_fit_is_trusted(&p->group[g].fit) && il_forest_leader(c->groups.up, g) == i)
-            return false;
-    return true;
+    for (size_t g = 0; g < c->groups.n; g++)
+        trusted[g] = true;
+    for (uint32_t g = 0; p && g < p->n_groups; g++)
+        if (p->group[g].fitted && !il_fit_is_trusted(&p->group[g].fit))
+            trusted[il_forest_leader(c->groups.up, g)] = false;
 }
 
 /* As the groups are joined now; none without a phi.  Of groups that do not follow
@@ -159,8 +160,7 @@ static il_status list_arcs(il_crowd *c, arcs *a, il_error *err)
     a->trusted = il_alloc(c->groups.n, sizeof *a->trusted);
     if (!a->first || !a->match || !a->trusted)
         return il_fail_nomem(err);
-    for (uint32_t g = 0; g < c->groups.n; g++)
-        a->trusted[g] = !c->phi.pair || !leads(c, g) || is_trusted(c, g);
+    find_trusted(c, a->trusted);
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < n; i++) {
             uint32_t g = group_of_match(c, &c->phi.pair->match[i]);

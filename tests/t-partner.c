@@ -226,6 +226,46 @@ static void partners_are_the_nearest_that_agree(void **state)
     }
 }
 
+/* Long contours are not searched sample by sample. */
+static void long_contours_have_the_same_partners(void **state)
+{
+    (void)state;
+    static uint32_t partner[9000];
+    uint64_t seed = 7;
+    for (int shape = 0; shape < 3; shape++) {
+        outline a = { 0 }, b = { 0 };
+        for (int k = 0; k < 30; k++) { /* teeth, rings, or anything */
+            double x = 8 * k + 5;
+            if (shape == 0) {
+                outline_add(&a, x, 30);
+                outline_add(&a, x + 4, 220);
+                outline_add(&b, 30, x);
+                outline_add(&b, 220, x + 4);
+            } else if (shape == 1) {
+                outline_ellipse(&a, x, 40 + 30 * (k % 7), 40, 30, 50);
+                outline_ellipse(&b, x, 50 + 30 * (k % 6), k % 2 ? -30 : 30, 40, 50);
+            } else {
+                outline_add(&a, random_between(&seed, 0, 256), random_between(&seed, 0, 256));
+                outline_add(&b, random_between(&seed, 0, 256), random_between(&seed, 0, 256));
+            }
+        }
+        if (shape != 1) {
+            outline_close(&a);
+            outline_close(&b);
+        }
+        il_samples m = taken(&a, 1), t = taken(&b, 2);
+        assert_true(m.n > 2500 && t.n <= 9000);
+        for (size_t k = 0; shape == 2 && k < m.n; k++) /* ties */
+            m.x[k] = floorf(m.x[k] / 8), m.y[k] = floorf(m.y[k] / 8);
+        il_partners_find(&m, &t, true, partner);
+        assert_partners(&m, &t, partner);
+        il_samples_free(&m);
+        il_samples_free(&t);
+        outline_free(&a);
+        outline_free(&b);
+    }
+}
+
 /* On few grid points with few normals: equal distances everywhere. */
 static void of_equal_distances_the_first_counts(void **state)
 {
@@ -375,6 +415,7 @@ int main(void)
         cmocka_unit_test(thinned_samples_are_some_of_the_others_in_order),
         cmocka_unit_test(samples_keep_their_memory),
         cmocka_unit_test(partners_are_the_nearest_that_agree),
+        cmocka_unit_test(long_contours_have_the_same_partners),
         cmocka_unit_test(of_equal_distances_the_first_counts),
         cmocka_unit_test(who_faces_nobody_has_no_partner),
         cmocka_unit_test(a_small_move_is_followed_from_the_partner_before),

@@ -8,8 +8,9 @@
 
 /* partner[q] for every sample q of TARGET: the nearest sample of MOVED whose
  * normal agrees (cosine above IL_NORMALS_AGREE), or IL_NO_PARTNER; equal
- * distances go to the lesser number.  ANEW: all are tried, O(n_moved *
- * n_target); else only those near the partner that partner[q] names already. */
+ * distances go to the lesser number.  ANEW: of all, O(n_moved *
+ * n_target), by runs when these are many; else only of those near the partner that
+ * partner[q] names already. */
 #define IL_NORMALS_AGREE 0.2f
 void il_partners_find(const il_samples *moved, const il_samples *target, bool anew, uint32_t *partner);
 

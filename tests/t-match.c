@@ -67,7 +67,7 @@ static il_ffd *new_solver(void)
 
 static void match_with(couple *c, il_ffd *solver)
 {
-    const il_match_options o = { IL_MATCHER_FFD, true };
+    const il_match_options o = { IL_MATCHER_FFD, true, 1 };
     il_pair_free(&c->pair);
     assert_int_equal(il_match_slices(&c->slice[0], &c->slice[1], &o, solver, &c->pair, NULL), IL_OK);
 }
@@ -484,7 +484,7 @@ static void empty_slices_have_records(void **state)
 static void the_matcher_none_says_nothing(void **state)
 {
     (void)state;
-    const il_match_options o = { IL_MATCHER_NONE, false };
+    const il_match_options o = { IL_MATCHER_NONE, false, 1 };
     couple c = of_family(PAIRS_WILD, 1);
     assert_int_equal(il_match_slices(&c.slice[0], &c.slice[1], &o, NULL, &c.pair, NULL), IL_OK);
     assert_false(il_pair_names_rings(&c.pair));
@@ -495,7 +495,7 @@ static void the_matcher_none_says_nothing(void **state)
 static void lattices_are_kept_when_they_are_wanted(void **state)
 {
     (void)state;
-    const il_match_options o = { IL_MATCHER_FFD, false };
+    const il_match_options o = { IL_MATCHER_FFD, false, 1 };
     couple c = of_family(PAIRS_DIFFERENT, 1), d = copy_of(&c);
     il_ffd *solver = new_solver();
     match(&c);
@@ -643,7 +643,7 @@ static void a_solver_that_was_used_gives_the_same_bytes(void **state)
 static void little_memory_is_told(void **state)
 {
     (void)state;
-    const il_match_options o = { IL_MATCHER_FFD, true };
+    const il_match_options o = { IL_MATCHER_FFD, true, 1 };
     couple c = of_text("0 0, 20 0, 20 20, 0 20; 5 5, 5 9, 9 9; 40 0, 50 0, 50 5",
                        "1 2, 21 0, 22 19, 0 22; 12 12, 12 15, 15 15; 40 50, 45 50, 40 55");
     long k = 0;

@@ -56,7 +56,7 @@ static il_status on_end(il_sink *s, il_error *err)
 static il_status play(const char *calls, recorder *r, il_error *err)
 {
     *r = (recorder){ { on_stack_begin, on_slice, on_pair, on_stack_end, on_end }, "" };
-    il_match_options o = { IL_MATCHER_NONE };
+    il_match_options o = IL_MATCH_OPTIONS_INIT;
     il_sink *m = NULL;
     il_status st = il_matcher_new(&m, &o, &r->sink, err);
     il_stack_head head = IL_STACK_HEAD_INIT;

@@ -116,7 +116,7 @@ static il_status through(const il_slice slice[2], il_pair *pair, keeper *k, il_e
 
 static il_pair matched(const il_slice slice[2])
 {
-    const il_match_options o = { IL_MATCHER_FFD, false };
+    const il_match_options o = { IL_MATCHER_FFD, false, 1 };
     il_ffd *solver = NULL;
     il_pair p;
     assert_int_equal(il_ffd_new(&solver, NULL), IL_OK);

@@ -202,12 +202,16 @@ static il_status tally_finish(il_mesh_sink *self, il_error *err)
     return next->finish(next, err);
 }
 
+static int threads_of(const il_settings *s)
+{
+    int n = s->threads > 0 ? s->threads : il_threads_available();
+    return n < THREADS_MOST ? n : THREADS_MOST;
+}
+
 static il_status build_lofter(work *w, bool rounds, il_error *err)
 {
     il_loft_options o = IL_LOFT_OPTIONS_INIT;
-    o.threads = w->settings.threads > 0 ? w->settings.threads : il_threads_available();
-    if (o.threads > THREADS_MOST)
-        o.threads = THREADS_MOST;
+    o.threads = threads_of(&w->settings);
     o.cap = w->settings.dome ? IL_CAP_DOME : IL_CAP_FLAT;
     o.round_float = rounds;
     w->tally.sink = (il_mesh_sink){ tally_begin, tally_piece, tally_end, tally_abandon, tally_finish };
@@ -219,7 +223,7 @@ static il_status build_stages(work *w, il_error *err)
 {
     bool rounds = w->writer && w->writer->round_float;
     il_clean_options as_is = { .round_float = false }, rounded = { .round_float = true };
-    il_match_options m = { IL_MATCHER_NONE, false };
+    il_match_options m = { IL_MATCHER_NONE, false, threads_of(&w->settings) };
     il_status st = build_lofter(w, rounds, err);
     if (st == IL_OK && rounds)
         st = il_refit_new(&w->refit, w->lofter, err);

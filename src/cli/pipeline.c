@@ -146,6 +146,12 @@ static il_status open_outputs(pipeline *p, il_error *err)
 
 /* ---- the stages, last to first ------------------------------------------- */
 
+static int threads_of(const il_options *o)
+{
+    int n = o->threads > 0 ? o->threads : il_threads_available();
+    return n < IL_THREADS_MOST ? n : IL_THREADS_MOST;
+}
+
 static il_status build_end(pipeline *p, il_sink **end, il_error *err)
 {
     if (!p->plan->loft) {
@@ -154,9 +160,7 @@ static il_status build_end(pipeline *p, il_sink **end, il_error *err)
     }
     const il_options *o = p->options;
     il_loft_options l = IL_LOFT_OPTIONS_INIT;
-    l.threads = o->threads > 0 ? o->threads : il_threads_available();
-    if (l.threads > IL_THREADS_MOST)
-        l.threads = IL_THREADS_MOST;
+    l.threads = threads_of(o);
     l.cap = o->cap;
     l.round_float = o->to && o->to->round_float;
     l.progress = il_account_progress;
@@ -192,7 +196,7 @@ static il_status build_matcher(pipeline *p, il_error *err)
 {
     if (!p->plan->match)
         return IL_OK;
-    il_match_options m = { p->options->matcher, p->options->keep_lattices };
+    il_match_options m = { p->options->matcher, p->options->keep_lattices, threads_of(p->options) };
     il_status st = il_matcher_new(&p->matcher, &m, p->first, err);
     p->first = st == IL_OK ? p->matcher : p->first;
     return st;

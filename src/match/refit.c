@@ -159,7 +159,7 @@ static void carry_over(il_pair *p, const renumbering r[2], const il_slice *is)
 
 static il_status match_again(il_refit *r, il_pair *p, il_error *err)
 {
-    il_match_options o = { p->matcher, false };
+    il_match_options o = { p->matcher, false, 1 };
     il_status st = r->solver || o.matcher == IL_MATCHER_NONE ? IL_OK : il_ffd_new(&r->solver, err);
     il_pair_free(p);
     return st == IL_OK ? il_match_slices(&r->is[0], &r->is[1], &o, r->solver, p, err) : st;

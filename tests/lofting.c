@@ -84,7 +84,8 @@ void assert_sound(const keeper *k, const char *what, unsigned long long seed)
     il_audit a;
     assert_int_equal(il_mesh_audit(&k->mesh, &a, NULL), IL_OK);
     if (!il_audit_is_sound(&a) || a.loose_vertices > 0)
-        fail_msg("%s %llu: closed %d, %zu edges and %zu vertices not manifold, oriented %d, outward %d, %zu crossings, %zu loose",
+        fail_msg("%s %llu: closed %d, %zu edges and %zu vertices not manifold, oriented %d, outward %d, "
+                 "%zu crossings, %zu loose",
                  what, seed, a.closed, a.nonmanifold_edges, a.nonmanifold_vertices, a.oriented, a.outward,
                  a.self_intersections, a.loose_vertices);
     assert_int_equal(a.vertices, k->facts.vertices);

@@ -21,7 +21,8 @@ bool il_fit_is_trusted(const il_fit *f)
 {
     const double *g = f->global;
     bool moved = g[0] != 1 || g[1] != 0 || g[2] != 0 || g[3] != 1 || g[4] != 0 || g[5] != 0;
-    return f->distortion <= (moved ? IL_DISTORTION_MOST_MOVED : IL_DISTORTION_MOST) && f->least_jacobian >= IL_SQUEEZE_MOST * (g[0] * g[3] - g[1] * g[2]);
+    return f->distortion <= (moved ? IL_DISTORTION_MOST_MOVED : IL_DISTORTION_MOST) &&
+           f->least_jacobian >= IL_SQUEEZE_MOST * (g[0] * g[3] - g[1] * g[2]);
 }
 
 static void free_group(il_group *g)

@@ -89,7 +89,8 @@ static void an_outline_on_itself_takes_no_step(void **state)
 static void scale_shift_and_stretch_are_undone(void **state)
 {
     (void)state;
-    static const struct { double x, y, rx, ry; } to[] = { { 140, 110, 60, 60 }, { 128, 128, 45, 45 }, { 125, 130, 66, 54 }, { 160, 100, 30, 32 } };
+    static const struct { double x, y, rx, ry; } to[] = {
+        { 140, 110, 60, 60 }, { 128, 128, 45, 45 }, { 125, 130, 66, 54 }, { 160, 100, 30, 32 } };
     for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
         outline lower = { 0 }, upper = { 0 };
         outline_ellipse(&upper, 128, 128, 60, 60, 400);

@@ -4,6 +4,7 @@
 #include "base/forest.h"
 #include "bridge/boxes.h"
 #include "bridge/predicates.h"
+#include "match/under.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,9 +19,8 @@ typedef struct edges {
     double *box;          /* [4*n] */
     size_t *first;        /* [rings + 1] */
     uint32_t *outer;      /* [rings] */
-    double *area2;        /* [rings] */
     size_t n;
-    double right;         /* greatest x */
+    il_under under;
 } edges;
 
 static void edges_free(edges *e)
@@ -31,7 +31,7 @@ static void edges_free(edges *e)
     il_free(e->box);
     il_free(e->first);
     il_free(e->outer);
-    il_free(e->area2);
+    il_under_free(&e->under);
 }
 
 static void add_edge(edges *e, const double *a, const double *b, uint32_t ring)
@@ -42,41 +42,32 @@ static void add_edge(edges *e, const double *a, const double *b, uint32_t ring)
     e->ring_of[e->n] = ring;
     box[0] = fmin(a[0], b[0]), box[1] = fmin(a[1], b[1]);
     box[2] = fmax(a[0], b[0]), box[3] = fmax(a[1], b[1]);
-    e->right = fmax(e->right, box[2]);
     e->n++;
 }
 
-static bool edges_take(edges *e, const il_slice *s)
+static il_status edges_take(edges *e, const il_slice *s, il_error *err)
 {
     size_t n = il_slice_points(s);
-    *e = (edges){ .slice = s, .right = -INFINITY };
+    *e = (edges){ .slice = s };
     e->a = il_alloc(n, sizeof *e->a);
     e->b = il_alloc(n, sizeof *e->b);
     e->ring_of = il_alloc(n, sizeof *e->ring_of);
     e->box = il_alloc(n, 4 * sizeof *e->box);
     e->first = il_alloc(s->n + 1, sizeof *e->first);
     e->outer = il_alloc(s->n, sizeof *e->outer);
-    e->area2 = il_alloc(s->n, sizeof *e->area2);
-    if (!e->a || !e->b || !e->ring_of || !e->box || !e->first || !e->outer || !e->area2)
-        return false;
+    if (!e->a || !e->b || !e->ring_of || !e->box || !e->first || !e->outer)
+        return il_fail_nomem(err);
     for (uint32_t i = 0; i < s->n; i++) {
         const il_ring *r = &s->ring[i];
         e->first[i] = e->n;
-        e->area2[i] = il_ring_area2(r);
         for (size_t k = 0; k < r->n; k++)
             add_edge(e, r->xy + 2 * k, r->xy + 2 * (k + 1 < r->n ? k + 1 : 0), i);
     }
     e->first[s->n] = e->n;
-    return true;
+    return il_under_make(&e->under, (const double *const *)e->a, (const double *const *)e->b, e->box, e->n, err);
 }
 
-/* ---- which rings hold a point ---- */
-
-/* A point of a ring that is no vertex, for rings of a slice may share these. */
-typedef struct probe {
-    double xy[2];
-    uint32_t ring;
-} probe;
+/* ---- which rings bound one region ---- */
 
 static int compare_hits(const void *p, const void *q)
 {
@@ -86,81 +77,49 @@ static int compare_hits(const void *p, const void *q)
     return a[1] < b[1] ? -1 : a[1] > b[1];
 }
 
-/* Does edge E cross the ray from P to the right? */
-static bool crosses_ray(const edges *e, uint32_t i, const double p[2])
+/* The region is on the left of edge F: above it, when it runs to the right. */
+static bool has_region_above(const edges *e, size_t f)
 {
-    const double *a = e->a[i], *b = e->b[i];
-    if ((a[1] > p[1]) == (b[1] > p[1]))
-        return false;
-    return il_orientation(a, b, p) == (b[1] > a[1] ? 1 : -1);
+    return e->a[f][0] < e->b[f][0];
 }
 
-/* All (probe, ring) with the probe inside of the ring: hit[2*n_hits], sorted. */
-static il_status rings_about(const edges *e, const probe *p, size_t n, uint32_t **hit, size_t *n_hits, il_error *err)
+/* The edge next below hole I, straight below the lowest vertex: there the hole runs
+ * to the left, with its region below.  e->n when there is none. */
+static size_t edge_under_hole(const edges *e, uint32_t i)
 {
-    double *ray = il_alloc(n, 4 * sizeof *ray);
-    uint32_t *pair = NULL;
-    size_t n_pairs = 0, kept = 0;
-    *hit = NULL;
-    *n_hits = 0;
-    if (!ray)
-        return il_fail_nomem(err);
-    for (size_t i = 0; i < n; i++) {
-        ray[4 * i] = p[i].xy[0], ray[4 * i + 1] = ray[4 * i + 3] = p[i].xy[1];
-        ray[4 * i + 2] = fmax(p[i].xy[0], e->right);
-    }
-    il_status st = il_box_pairs_between(ray, n, e->box, e->n, SIZE_MAX, &pair, &n_pairs, err);
-    il_free(ray);
-    if (st != IL_OK)
-        return st;
-    for (size_t i = 0; i < n_pairs; i++)
-        if (crosses_ray(e, pair[2 * i + 1], p[pair[2 * i]].xy)) {
-            pair[2 * kept] = pair[2 * i];
-            pair[2 * kept + 1] = e->ring_of[pair[2 * i + 1]];
-            kept++;
-        }
-    if (kept > 0)
-        qsort(pair, kept, 2 * sizeof *pair, compare_hits);
-    for (size_t i = 0; i < kept;) { /* an odd number of crossings is inside */
-        size_t k = i;
-        while (k < kept && compare_hits(pair + 2 * i, pair + 2 * k) == 0)
-            k++;
-        if ((k - i) % 2 == 1)
-            memmove(pair + 2 * (*n_hits)++, pair + 2 * i, 2 * sizeof *pair);
-        i = k;
-    }
-    *hit = pair;
-    return IL_OK;
+    size_t first = e->first[i], end = e->first[i + 1], lowest = first;
+    for (size_t k = first; k < end; k++)
+        if (e->a[k][1] < e->a[lowest][1] || (e->a[k][1] == e->a[lowest][1] && e->a[k][0] < e->a[lowest][0]))
+            lowest = k;
+    size_t before = lowest > first ? lowest - 1 : end - 1;
+    bool from_right = e->a[before][0] > e->a[lowest][0];
+    return il_under_edge(&e->under, from_right ? before : lowest, !from_right);
 }
 
-static probe probe_of(const edges *e, uint32_t ring)
-{
-    const double *a = e->a[e->first[ring]], *b = e->b[e->first[ring]];
-    return (probe){ { a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2 }, ring };
-}
-
-/* A hole's region is that of the least outer ring that holds it. */
+/* What bounds a region from below is a part of its outline: its outer ring, or
+ * another hole, that lies lower. */
 static il_status find_outers(edges *e, il_error *err)
 {
-    size_t rings = e->slice->n, n = 0, n_hits = 0;
-    uint32_t *hit = NULL;
-    probe *p = il_alloc(rings, sizeof *p);
-    if (!p)
-        return il_fail_nomem(err);
-    for (uint32_t i = 0; i < rings; i++) {
-        e->outer[i] = i;
-        if (e->area2[i] < 0)
-            p[n++] = probe_of(e, i);
+    uint32_t rings = (uint32_t)e->slice->n, *up = il_alloc(rings, sizeof *up), *outer_of = il_alloc(rings, sizeof *outer_of);
+    bool ok = up && outer_of;
+    if (ok)
+        il_forest_plant(up, rings);
+    for (uint32_t i = 0; ok && i < rings; i++) {
+        size_t f = il_ring_area2(&e->slice->ring[i]) < 0 ? edge_under_hole(e, i) : e->n;
+        if (f < e->n && has_region_above(e, f))
+            il_forest_join(up, i, e->ring_of[f]);
+        outer_of[i] = UINT32_MAX;
     }
-    il_status st = n > 0 ? rings_about(e, p, n, &hit, &n_hits, err) : IL_OK;
-    for (size_t i = 0; i < n_hits; i++) {
-        uint32_t hole = p[hit[2 * i]].ring, about = hit[2 * i + 1], *outer = &e->outer[hole];
-        if (e->area2[about] > 0 && (*outer == hole || e->area2[about] < e->area2[*outer]))
-            *outer = about;
+    for (uint32_t i = 0; ok && i < rings; i++)
+        if (il_ring_area2(&e->slice->ring[i]) > 0)
+            outer_of[il_forest_leader(up, i)] = i;
+    for (uint32_t i = 0; ok && i < rings; i++) {
+        uint32_t outer = outer_of[il_forest_leader(up, i)];
+        e->outer[i] = outer != UINT32_MAX ? outer : i;
     }
-    il_free(hit);
-    il_free(p);
-    return st;
+    il_free(up);
+    il_free(outer_of);
+    return ok ? IL_OK : il_fail_nomem(err);
 }
 
 /* ---- which regions overlap ---- */
@@ -209,30 +168,19 @@ static il_status link_meeting(linker *l, il_error *err)
 }
 
 /* Regions whose outlines do not meet overlap when a ring of one lies in the other:
- * in its least outer ring and in none of its holes, so the least ring about the
- * probe is an outer one. */
+ * any of its vertices, and then that is what bounds the other next below. */
 static il_status link_nested(linker *l, int inner, il_error *err)
 {
     const edges *in = &l->side[inner], *about = &l->side[1 - inner];
-    size_t rings = in->slice->n, n_hits = 0;
-    uint32_t *hit = NULL;
-    probe *p = il_alloc(rings, sizeof *p);
-    if (!p)
-        return il_fail_nomem(err);
-    for (uint32_t i = 0; i < rings; i++)
-        p[i] = probe_of(in, i);
-    il_status st = rings_about(about, p, rings, &hit, &n_hits, err);
-    for (size_t i = 0, k; st == IL_OK && i < n_hits; i = k) {
-        uint32_t least = hit[2 * i + 1], ring = hit[2 * i];
-        for (k = i; k < n_hits && hit[2 * k] == ring; k++)
-            if (fabs(about->area2[hit[2 * k + 1]]) < fabs(about->area2[least]))
-                least = hit[2 * k + 1];
-        if (about->area2[least] > 0 && !note_link(l, inner == 0 ? ring : least, inner == 0 ? least : ring))
-            st = il_fail_nomem(err);
+    for (uint32_t i = 0; i < in->slice->n; i++) {
+        size_t f = il_under_point(&about->under, in->a[in->first[i]]);
+        if (f == about->n || !has_region_above(about, f))
+            continue;
+        uint32_t ring = about->ring_of[f];
+        if (!note_link(l, inner == 0 ? i : ring, inner == 0 ? ring : i))
+            return il_fail_nomem(err);
     }
-    il_free(hit);
-    il_free(p);
-    return st;
+    return IL_OK;
 }
 
 /* ---- groups ---- */
@@ -296,8 +244,9 @@ il_status il_link_slices(il_pair *pair, const il_slice *lower, const il_slice *u
 {
     linker l = { .pair = pair };
     l.up = il_alloc(lower->n + upper->n, sizeof *l.up);
-    bool taken = l.up && edges_take(&l.side[0], lower) && edges_take(&l.side[1], upper);
-    il_status st = taken ? IL_OK : il_fail_nomem(err);
+    il_status st = l.up ? edges_take(&l.side[0], lower, err) : il_fail_nomem(err);
+    if (st == IL_OK)
+        st = edges_take(&l.side[1], upper, err);
     for (int k = 0; st == IL_OK && k < 2; k++)
         st = find_outers(&l.side[k], err);
     if (st == IL_OK && lower->n > 0 && upper->n > 0) {

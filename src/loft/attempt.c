@@ -68,8 +68,8 @@ static il_status try_grid(il_outcome *out, const il_task *task, const il_referen
     if (injective) {
         for (double rise = 0.5; st == IL_OK && rise > 0.05; rise /= 2) {
             st = build_and_judge(out, task, r, &snapped, rise, err);
-            if (out->verdict.flaw != IL_FLAW_CROSSING)
-                break;
+            if (out->verdict.flaw != IL_FLAW_CROSSING || out->surface.n_inner == 0)
+                break; /* without inner points there is no cap */
         }
     }
     il_snapped_free(&snapped);

@@ -104,6 +104,10 @@ for name in leaning branching block; do
     sed '/^pair$/,/^slice/{/^slice/!d;}' $name.matched.loft | grep -v -e '^[a-z]' | sort >is
     holds "whose contours are those that came in" cmp was is
 
+    for k in 1 2 3 8; do
+        "$ISOLOFT" match --threads $k $name.loft >threads
+        holds "$k threads give the same bytes" cmp $name.matched.loft threads
+    done
     "$ISOLOFT" match $name.loft >twice
     holds "twice the same bytes" cmp $name.matched.loft twice
     cat $name.loft | "$ISOLOFT" match >stdin
@@ -129,6 +133,32 @@ for name in leaning branching block; do
     "$ISOLOFT" read none >again
     holds "and reads and writes the same" cmp none again
 done
+# ---- more slices than are held at a time -------------------------------------------
+
+pillar 30 24 | "$ISOLOFT" read >pillar.loft
+"$ISOLOFT" match --threads 1 pillar.loft >pillar.matched.loft
+holds "thirty slices have 29 records" test "$(grep -cx pair pillar.matched.loft)" -eq 29
+# Of the pairs after the slices 5 to 7, 16 and 29 the stream brings those of one thread.
+awk '$1 == "slice" { i++; keep = i >= 6 && i <= 8 || i == 17 || i == 30 } $1 == "pair" { drop = !keep } $1 == "slice" || $1 == "end" { drop = 0 } !drop' \
+    pillar.matched.loft >some.loft
+holds "some of them taken away" test "$(grep -cx pair some.loft)" -eq 5
+for k in 1 2 3 8; do
+    "$ISOLOFT" match --threads $k pillar.loft >threads
+    holds "$k threads give the same bytes" cmp pillar.matched.loft threads
+    "$ISOLOFT" match --threads $k some.loft >threads
+    holds "and fill the places of those that are wanting" cmp pillar.matched.loft threads
+    "$ISOLOFT" --threads $k pillar.loft -t ply >threads.$k.ply
+    holds "and give the same mesh" cmp threads.1.ply threads.$k.ply
+done
+awk '{ print } $1 == "slice" && ++i == 20 { exit } ' pillar.loft >broken.loft
+echo "1 2 three" >>broken.loft
+for k in 1 3; do
+    exits 3 "a stream that breaks off while pairs are matched is refused: $k threads" "$ISOLOFT" match --threads $k broken.loft
+    holds "in one line" one_error
+    mv out broken.$k
+done
+holds "with the same bytes before" cmp broken.1 broken.3
+
 holds "slices that lean are deformed" sh -c 'grep "^steps" leaning.matched.loft | grep -qv " 0$"'
 holds "slices that are equal are not" sh -c '! grep "^steps" block.matched.loft | grep -qv " 0$"'
 holds "nothing folds" sh -c '! cat leaning.matched.loft branching.matched.loft | grep -q "^jacobian -"'

@@ -34,8 +34,9 @@ static const float BOUND = 0.48f;
 /* It fits when both rms and both maxima, in cells, are below these. */
 static const float ENOUGH_RMS = 0.05f, ENOUGH_MAX = 0.3f;
 
-/* Root mean square of the log stretch above which a fit is doubted. */
-static const double DOUBTFUL = 0.25;
+/* Root mean square of the log stretch below which no other start is tried, and
+ * above which longer ladders are. */
+static const double CONTENT = 0.2, DOUBTFUL = 0.25;
 
 /* A level ends after this many steps, or when so many gain less than a twentieth:
  * the first attempt, which easy pairs need alone, is less patient. */
@@ -251,22 +252,25 @@ static void keep_if_better(il_ffd *f, bool *any)
     *any = true;
 }
 
-/* From every start by the first ladder, and from the best of them by the others,
- * until one fits without much distortion. */
+/* From the starts by the first ladder, until one needs next to no distortion;
+ * then from the best of them by the next ladders, until one fits without much. */
 static il_status climb(il_ffd *f, const il_global *starts, int n_starts, il_error *err)
 {
     bool any = false;
-    il_global from = starts[0];
-    for (size_t k = 0; k < 3; k++) {
-        for (int i = 0; i < (k == 0 ? n_starts : 1); i++) {
-            il_status st = attempt(f, k == 0 ? &starts[i] : &from, LADDER[k], err);
-            if (st != IL_OK)
-                return st;
-            keep_if_better(f, &any);
-            if (f->best.fits && f->best.distortion < DOUBTFUL)
-                return IL_OK;
-        }
-        from = f->best.global;
+    for (int i = 0; i < n_starts && !(any && f->best.fits && f->best.distortion < CONTENT); i++) {
+        il_status st = attempt(f, &starts[i], LADDER[0], err);
+        if (st != IL_OK)
+            return st;
+        keep_if_better(f, &any);
+    }
+    bool done = f->best.fits && f->best.distortion < DOUBTFUL;
+    for (size_t k = 1; k < 3 && !done; k++) {
+        il_global from = f->best.global;
+        il_status st = attempt(f, &from, LADDER[k], err);
+        if (st != IL_OK)
+            return st;
+        keep_if_better(f, &any);
+        done = f->best.fits;
     }
     return IL_OK;
 }
@@ -290,9 +294,9 @@ static il_status forward_rms(il_ffd *f, const il_global *g, float *rms, il_error
     return IL_OK;
 }
 
-/* A turn is looked for where the contours are this far apart, in cells; and no
- * start is worth an attempt that does not bring them nearer than by so much. */
-static const float TURN_WORTHWHILE = 2, NEARER = 0.7f;
+/* The start by moments is worth an attempt where it brings the contours so much
+ * nearer; a turn is looked for where they are still this far apart, in cells. */
+static const float NEARER = 0.7f, TURN_WORTHWHILE = 2;
 
 /* The starts to try into START: as the slices lie, for contours that overlap move
  * along their normals then; by moments; turned. */
@@ -312,7 +316,7 @@ static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outl
     }
     if (st == IL_OK && best > TURN_WORTHWHILE && il_global_with_turn(lower, upper, &g)) {
         st = forward_rms(f, &g, &rms, err);
-        if (st == IL_OK && rms < NEARER * best)
+        if (st == IL_OK && rms < best)
             start[(*n)++] = g;
     }
     return st;

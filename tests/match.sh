@@ -110,6 +110,10 @@ for name in leaning branching block; do
     done
     "$ISOLOFT" match $name.loft >twice
     holds "twice the same bytes" cmp $name.matched.loft twice
+    for threads in 1 2 3; do
+        "$ISOLOFT" match --threads $threads $name.loft >threads
+        holds "with $threads threads too" cmp $name.matched.loft threads
+    done
     cat $name.loft | "$ISOLOFT" match >stdin
     holds "from a pipe too" cmp $name.matched.loft stdin
     "$ISOLOFT" match - <$name.loft >dash

@@ -12,7 +12,7 @@
 static const double NEAR = 0.5, NEAR_AS_THEY_LIE = 2, NORMALS_AGREE = 0.2;
 
 /* From one point to the next the foot may fall back or run ahead by this much,
- * in cells; points are IL_COURSE_SPACING apart at most. */
+ * in cells; points are 1.5 apart, more only on contours without end. */
 static const double BACK = 0.75, AHEAD = 8;
 
 void il_correspondence_free(il_correspondence *c)

@@ -24,7 +24,7 @@ static bool add_point(il_course *c, const il_course_point *p)
 static bool add_piece(il_course *c, const il_course_row *a, const il_course_row *b, double end_t, double at, double length)
 {
     double share = end_t - a->t;
-    size_t parts = (size_t)fmax(1, ceil(length * share / IL_COURSE_SPACING));
+    size_t parts = (size_t)fmax(1, ceil(length * share / c->spacing));
     for (size_t k = 0; k < parts; k++) {
         double u = (double)k / (double)parts;
         il_course_point p = { a->x + u * (b->x - a->x), a->y + u * (b->y - a->y), 0, 0, at + length * (a->t + u * share),

@@ -6,10 +6,9 @@
 
 /* Points of ring r (as numbered in the group) are first[r] .. first[r + 1] - 1, in
  * order: its vertices, and between them enough that none is further than
- * IL_COURSE_SPACING from the next on the original contour.  Point k stands at
+ * `spacing` from the next on the original contour.  Point k stands at
  * place (vertex, t) of its ring, `at` cells along it; (x, y) is where it lies in
  * the lower plane, (nx, ny) the outward normal there.  length[r]: of the ring. */
-#define IL_COURSE_SPACING 1.5
 
 typedef struct il_course_point {
     double x, y, nx, ny, at, t;
@@ -20,6 +19,7 @@ typedef struct il_course {
     il_course_point *point;  size_t n, cap;
     size_t *first;           size_t n_rings, cap_first;
     double *length;          size_t cap_length;
+    double spacing;           /* cells; to be set before rings are added */
 } il_course;
 
 #define IL_COURSE_INIT { 0 }

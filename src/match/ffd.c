@@ -25,8 +25,9 @@
 #include <math.h>
 #include <string.h>
 
-/* Samples of a contour, in cells: half as dense as 0.75, which fits no better. */
-static const double SAMPLE_SPACING = 1.5;
+/* Samples of a contour, in cells: half as dense as 0.75, which fits no better; and
+ * so many samples that none of a slice that anybody draws is spared. */
+static const double SAMPLE_SPACING = 1.5, MOST_SAMPLES = 32768;
 
 /* Choi & Lee's bound with some room for rounding. */
 static const float BOUND = 0.48f;
@@ -68,6 +69,7 @@ struct il_ffd {
     history now, best;
     bool best_is_last;                 /* `moved` and the partners are still those of the best */
     uint32_t cells_x, cells_y;
+    double sample_spacing;
 };
 
 il_status il_ffd_new(il_ffd **out, il_error *err)
@@ -152,7 +154,7 @@ static il_status take_step(il_ffd *f, const il_spline *s, il_error *err)
 /* The samples that take part where nodes are SPACING apart: four to a spacing. */
 static il_status choose_samples(il_ffd *f, float spacing, il_error *err)
 {
-    uint32_t stride = (uint32_t)(spacing / (4 * (float)SAMPLE_SPACING) + 0.5f);
+    uint32_t stride = (uint32_t)(spacing / (4 * (float)f->sample_spacing) + 0.5f);
     stride = stride > 0 ? stride : 1;
     il_status st = il_samples_thin(&f->moving, &f->moving_at, &f->cap_moving_at, &f->moved, stride, err);
     if (st == IL_OK)
@@ -385,6 +387,21 @@ static void measure(il_ffd *f, il_fit *fit)
     fit->residual_down_max = most;
 }
 
+static double length_of(const il_outline *o)
+{
+    double sum = 0;
+    for (size_t i = 0; i < o->n; i++) {
+        const double *a = o->xy + 2 * i, *b = o->xy + 2 * o->next[i];
+        sum += hypot(b[0] - a[0], b[1] - a[1]);
+    }
+    return sum;
+}
+
+double il_ffd_spacing(const il_outline *lower, const il_outline *upper)
+{
+    return fmax(SAMPLE_SPACING, fmax(length_of(lower), length_of(upper)) / MOST_SAMPLES);
+}
+
 il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upper,
                        uint32_t cells_x, uint32_t cells_y, il_fit *fit, il_error *err)
 {
@@ -393,11 +410,12 @@ il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upp
     *fit = (il_fit){ 0 };
     f->cells_x = cells_x;
     f->cells_y = cells_y;
+    f->sample_spacing = il_ffd_spacing(lower, upper);
     il_status st = il_distance_begin(&f->map, lower->xy, lower->next, lower->n, cells_x, cells_y, err);
     if (st == IL_OK)
-        st = il_samples_take(&f->lower, lower, SAMPLE_SPACING, err);
+        st = il_samples_take(&f->lower, lower, f->sample_spacing, err);
     if (st == IL_OK)
-        st = il_samples_take(&f->upper, upper, SAMPLE_SPACING, err);
+        st = il_samples_take(&f->upper, upper, f->sample_spacing, err);
     if (st == IL_OK)
         st = choose_starts(f, lower, upper, starts, &n_starts, err);
     if (st == IL_OK)

@@ -22,6 +22,11 @@ typedef struct il_ffd il_ffd;
 il_status il_ffd_new(il_ffd **out, il_error *err);
 void il_ffd_free(il_ffd *f); /* null is fine */
 
+/* How far apart points of two such outlines should be, in cells: 1.5, as denser
+ * ones fit no better; more where there would be over 2^15 of them (the teeth of a
+ * comb, crossing tile by tile, would cost the square of their number). */
+double il_ffd_spacing(const il_outline *lower, const il_outline *upper);
+
 /* Find phi, which takes UPPER to LOWER, both inside [0, cells_x] x [0, cells_y]
  * with the margin that il_frame leaves.  *FIT (empty before; il_fit_free) gets
  * the residuals, the least Jacobian, the distortion, the global step and the

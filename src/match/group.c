@@ -11,8 +11,8 @@
 
 /* An edge's image is broken where its chord is further off than this, in cells.
  * What is short before and after is taken for straight; of what is long before
- * or after, the middle alone does not tell. */
-static const double CHORD = 0.5, SHORT = 2, LONG = 16;
+ * or after, in cells or in spacings of points, the middle alone does not tell. */
+static const double CHORD = 0.5, SHORT = 2, LONG = 16, LONG_SPACINGS = 10;
 
 typedef struct group_match {
     il_pair *pair;
@@ -23,6 +23,7 @@ typedef struct group_match {
     double *xy[2];             /* outlines, cells */
     uint32_t *next[2];
     size_t n[2];
+    double spacing;            /* of the points of courses */
     il_fit fit;                /* in cells */
     il_course course[2];
     il_image *image;           /* of the slice's rings */
@@ -58,6 +59,7 @@ static il_status solve(group_match *m, il_error *err)
     if (st != IL_OK)
         return st;
     il_outline lower = outline(m, 0), upper = outline(m, 1);
+    m->spacing = il_ffd_spacing(&lower, &upper);
     return il_ffd_solve(m->solver, &lower, &upper, m->frame.cells_x, m->frame.cells_y, &m->fit, err);
 }
 
@@ -83,7 +85,7 @@ static bool add_part(group_match *m, uint32_t vertex, const double a[2], const d
     double t = (t0 + t1) / 2, middle[2] = { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]) };
     il_fit_apply(&m->fit, middle, 1);
     double off = hypot(middle[0] - (p[0] + q[0]) / 2, middle[1] - (p[1] + q[1]) / 2);
-    if (off <= CHORD && length <= LONG)
+    if (off <= CHORD && length <= fmax(LONG, LONG_SPACINGS * m->spacing))
         return add_row(m, vertex, t0, p);
     return add_part(m, vertex, a, b, t0, p, t, middle, depth - 1) &&
            add_part(m, vertex, a, b, t, middle, t1, q, depth - 1);
@@ -135,6 +137,7 @@ static il_status map_upper(group_match *m, il_error *err)
     const il_group *g = m->group;
     il_status st = IL_OK;
     size_t begin = 0;
+    m->course[1].spacing = m->spacing;
     for (size_t i = 0; st == IL_OK && i < g->n_upper; i++) {
         const il_ring *ring = &m->slice[1]->ring[g->upper[i]];
         st = map_ring(m, begin, ring->n, err);
@@ -156,6 +159,7 @@ static il_status lay(group_match *m, int side, il_course *course, il_error *err)
     const uint32_t *ring = side == 0 ? g->lower : g->upper;
     il_status st = IL_OK;
     size_t begin = 0;
+    course->spacing = m->spacing;
     for (size_t i = 0; st == IL_OK && i < (side == 0 ? g->n_lower : g->n_upper); i++) {
         size_t n = m->slice[side]->ring[ring[i]].n;
         st = il_course_add(course, m->xy[side] + 2 * begin, n, NULL, 0, err);

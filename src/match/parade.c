@@ -93,7 +93,8 @@ void il_parade_push(il_parade *p, il_slice *slice)
 {
     bool is_first = p->first + p->n == 0;
     *at(p, p->first + p->n) = (il_parade_place){
-        .slice = *slice, .has_pair = !is_first, .state = is_first ? IL_PAIR_SETTLED : IL_PAIR_UNKNOWN, .error = IL_ERROR_INIT };
+        .slice = *slice, .has_pair = !is_first, .error = IL_ERROR_INIT,
+        .state = is_first ? IL_PAIR_SETTLED : IL_PAIR_UNKNOWN };
     *slice = (il_slice)IL_SLICE_INIT;
     p->n++;
 }

@@ -68,9 +68,12 @@ static bool band_new(band *b, size_t reach)
     return true;
 }
 
+/* Not hypot: this is half of the work, and squares of lengths do not run out of
+ * exponents (loft/section.h, IL_SECTION_EXTENT_LEAST). */
 static double cost(const band *b, size_t i, size_t j)
 {
-    return hypot(b->lower[i].x - b->upper[j].x, b->lower[i].y - b->upper[j].y);
+    double dx = b->lower[i].x - b->upper[j].x, dy = b->lower[i].y - b->upper[j].y;
+    return sqrt(dx * dx + dy * dy);
 }
 
 /* Cost of the best way to lower vertex I on diagonal K, if the band holds it. */

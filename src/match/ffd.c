@@ -1,13 +1,13 @@
 /* ffd.c - incremental free-form deformation of one slice's rings onto another's.
  *
- * The paper's section 3.3 after Huang, Paragios & Metaxas 2006: a lattice of
- * control points over the plane moves all that lies in it (eq. 1 to 3), coarse
- * lattices before fine ones, so that the distance maps of the two slices become
- * alike (eq. 4) and neighbouring control points move alike (eq. 5, 6).  What is
- * changed, and why (256 x 256 cells, eleven test pairs):
+ * The paper's section 3.3 after Huang, Paragios & Metaxas 2006 (IEEE Trans. Pattern
+ * Anal. Mach. Intell. 28:1303-1318): a lattice of control points over the plane
+ * moves all that lies in it (eq. 1 to 3), coarse lattices before fine ones, so
+ * that the distance maps of the two slices become alike (eq. 4) and neighbouring
+ * control points move alike (eq. 5, 6).  What is changed, and why:
  *   - Composition: each step's field is bounded to 0.48 of the lattice's spacing,
  *     under which a cubic B-spline map of the plane is one-to-one (Choi & Lee
- *     2000: 1 / 2.0464 = 0.4886), and the next step starts from where the points
+ *     2000, Graphical Models 62:411-427: 1 / 2.0464 = 0.4886), and the next step starts from where the points
  *     are then.  A sum of increments on one lattice folds as soon as it fits.
  *   - Points of the contours instead of all pixels, both ways, by Gauss-Newton
  *     instead of gradient descent: equations.c.
@@ -25,8 +25,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Samples of a contour, in cells: half as dense as 0.75, which fits no better; and
- * so many samples that none of a slice that anybody draws is spared. */
+/* Samples of a contour, in cells; further apart where they would be more than
+ * MOST_SAMPLES on a side, against contours that fill the plane. */
 static const double SAMPLE_SPACING = 1.5, MOST_SAMPLES = 32768;
 
 /* Choi & Lee's bound with some room for rounding. */

@@ -147,12 +147,14 @@ typedef struct il_to {
 
 /* All 0 is what the program does without options.  threads: 0 is one a
  * processor; the mesh is the same for any number.  dome: close first and last
- * slice by a dome of half a spacing instead of flat.  note: is told, sentence by
+ * slice by a dome of half a spacing instead of flat.  unmatched: compare slices
+ * as they lie instead of deforming them onto each other.  note: is told, sentence by
  * sentence, what of the input was repaired or skipped; may be null.  The
  * sentence is gone when it returns. */
 typedef struct il_settings {
     int threads;
     int dome;
+    int unmatched;
     void (*note)(void *self, const char *sentence);
     void *note_self;
 } il_settings;

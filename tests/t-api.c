@@ -89,6 +89,23 @@ static void stack_numbers_part_solids(void **state)
     il_solids_free(&s);
 }
 
+/* Two squares, the upper shifted: with matching a slanted prism of their eight
+ * vertices, without it what they do not share needs more. */
+static void slices_are_matched_unless_told_otherwise(void **state)
+{
+    (void)state;
+    static const char text[] = "isoloft 1\nunit mm\nstack \"a\"\nslice 0\nring\n0 0\n10 0\n10 10\n0 10\n"
+                               "slice 2\nring\n6 0\n16 0\n16 10\n6 10\nend\n";
+    il_from from = { .data = text, .size = sizeof text - 1 };
+    il_solids s = IL_SOLIDS_INIT;
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, NULL, NULL), IL_OK);
+    assert_int_equal(s.solid[0].n_vertices, 8);
+    il_solids_free(&s);
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &(il_settings){ .unmatched = 1 }, NULL), IL_OK);
+    assert_true(s.solid[0].n_vertices > 8);
+    il_solids_free(&s);
+}
+
 static void a_dome_adds_to_the_volume(void **state)
 {
     (void)state;
@@ -259,6 +276,7 @@ int main(void)
         cmocka_unit_test(arrays_become_a_closed_mesh),
         cmocka_unit_test(arrays_and_text_give_the_same_bytes),
         cmocka_unit_test(stack_numbers_part_solids),
+        cmocka_unit_test(slices_are_matched_unless_told_otherwise),
         cmocka_unit_test(a_dome_adds_to_the_volume),
         cmocka_unit_test(a_file_appears_whole_or_not_at_all),
         cmocka_unit_test(a_call_that_makes_no_sense_is_refused),

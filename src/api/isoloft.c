@@ -223,7 +223,9 @@ static il_status build_stages(work *w, il_error *err)
 {
     bool rounds = w->writer && w->writer->round_float;
     il_clean_options as_is = { .round_float = false }, rounded = { .round_float = true };
-    il_match_options m = { IL_MATCHER_NONE, false, threads_of(&w->settings) };
+    il_match_options m = IL_MATCH_OPTIONS_INIT;
+    m.matcher = w->settings.unmatched ? IL_MATCHER_NONE : IL_MATCHER_FFD;
+    m.threads = threads_of(&w->settings);
     il_status st = build_lofter(w, rounds, err);
     if (st == IL_OK && rounds)
         st = il_refit_new(&w->refit, w->lofter, err);

@@ -77,21 +77,25 @@ il_status il_frame_outline(const il_frame *f, const il_slice *s, const uint32_t 
     return IL_OK;
 }
 
+static double within_bound(double v)
+{
+    const double most = nextafter(IL_COORDINATE_BOUND, 0);
+    return fmin(fmax(v, -most), most);
+}
+
 void il_frame_scale_fit(const il_frame *f, il_fit *fit)
 {
     double box[4], *g = fit->global;
     box_of(f, box);
     double x0 = box[0], y0 = box[1];
-    fit->residual_up_mean *= f->cell;
-    fit->residual_up_max *= f->cell;
-    fit->residual_down_mean *= f->cell;
-    fit->residual_down_max *= f->cell;
+    double *residual[4] = { &fit->residual_up_mean, &fit->residual_up_max, &fit->residual_down_mean, &fit->residual_down_max };
+    for (int k = 0; k < 4; k++)
+        *residual[k] = within_bound(*residual[k] * f->cell);
     /* p -> o + cell (A (p - o) / cell + b) */
     g[4] = x0 - (g[0] * x0 + g[1] * y0) + f->cell * g[4];
     g[5] = y0 - (g[2] * x0 + g[3] * y0) + f->cell * g[5];
-    const double most = nextafter(IL_COORDINATE_BOUND, 0);
     for (int k = 0; k < 4; k++)
-        fit->box[k] = fmin(fmax(box[k], -most), most);
+        fit->box[k] = within_bound(box[k]);
     for (size_t k = 0; k < fit->n_lattices; k++) {
         il_lattice *l = &fit->lattice[k];
         l->x = x0 + f->cell * l->x;

@@ -685,6 +685,26 @@ static void little_memory_is_told(void **state)
     free_couple(&c);
 }
 
+/* What is written can be read: a needle of next to no area in the middle of a square
+ * asks for no scale of 1e18, and no box reaches over the bound of coordinates. */
+static void numbers_in_a_record_stay_within_bounds(void **state)
+{
+    (void)state;
+    static const char *square[] = { "0 0, 100 0, 100 100, 0 100", "0 0, 9e14 0, 9e14 9e14, 0 9e14",
+                                    "-999e12 -999e12, 999e12 -999e12, 999e12 999e12, -999e12 999e12" };
+    static const char *other[] = { "50 50, 50.1 50, 50.1 50.0000000000001", "50 50, 50.0000001 50, 50 50.0000001",
+                                   "50 50, 50.0000000000001 50, 50 50.0000000000001", "1e14 1e13, 9e14 2e13, 3e14 9e14",
+                                   "999e12 -999e12, 999e12 999e12, -999e12 999e12" };
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = 0; k < 5; k++)
+            for (int turned = 0; turned < 2; turned++) {
+                couple c = turned ? of_text(other[k], square[i]) : of_text(square[i], other[k]);
+                match(&c);
+                assert_readable(&c);
+                free_couple(&c);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -703,6 +723,7 @@ int main(void)
         cmocka_unit_test(where_rings_begin_does_not_matter_in_canonical_order),
         cmocka_unit_test(a_solver_that_was_used_gives_the_same_bytes),
         cmocka_unit_test(little_memory_is_told),
+        cmocka_unit_test(numbers_in_a_record_stay_within_bounds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

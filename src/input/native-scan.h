@@ -6,6 +6,7 @@
 #define IL_INPUT_NATIVE_SCAN_H
 
 #include "base/status.h"
+#include "model/ring.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,7 +18,7 @@ typedef struct il_scan {
 } il_scan;
 
 /* Magnitudes stay below this (formats/loft.txt, section 4). */
-#define IL_NATIVE_BOUND 1e15
+#define IL_NATIVE_BOUND IL_COORDINATE_BOUND
 
 /* Does the line hold nothing that no line may hold: UTF-8, no controls? */
 il_status il_scan_check(const il_scan *s, il_error *err);

@@ -37,6 +37,24 @@ il_frame il_frame_about(const il_group *g, const il_slice *lower, const il_slice
     return f;
 }
 
+/* Least x and y, greatest x and y, of the raster. */
+static void box_of(const il_frame *f, double box[4])
+{
+    box[0] = f->x - f->margin * f->cell;
+    box[1] = f->y - f->margin * f->cell;
+    box[2] = box[0] + f->cell * f->cells_x;
+    box[3] = box[1] + f->cell * f->cells_y;
+}
+
+bool il_frame_is_far(const il_frame *f)
+{
+    double box[4], reach = 0;
+    box_of(f, box);
+    for (int k = 0; k < 4; k++)
+        reach = fmax(reach, fabs(box[k]));
+    return reach > IL_COORDINATE_BOUND / 1024;
+}
+
 il_status il_frame_outline(const il_frame *f, const il_slice *s, const uint32_t *ring, size_t n_rings,
                            double **xy, uint32_t **next, size_t *n, il_error *err)
 {
@@ -59,20 +77,25 @@ il_status il_frame_outline(const il_frame *f, const il_slice *s, const uint32_t 
     return IL_OK;
 }
 
+static double within_bound(double v)
+{
+    const double most = nextafter(IL_COORDINATE_BOUND, 0);
+    return fmin(fmax(v, -most), most);
+}
+
 void il_frame_scale_fit(const il_frame *f, il_fit *fit)
 {
-    double x0 = f->x - f->margin * f->cell, y0 = f->y - f->margin * f->cell, *g = fit->global;
-    fit->residual_up_mean *= f->cell;
-    fit->residual_up_max *= f->cell;
-    fit->residual_down_mean *= f->cell;
-    fit->residual_down_max *= f->cell;
+    double box[4], *g = fit->global;
+    box_of(f, box);
+    double x0 = box[0], y0 = box[1];
+    double *residual[4] = { &fit->residual_up_mean, &fit->residual_up_max, &fit->residual_down_mean, &fit->residual_down_max };
+    for (int k = 0; k < 4; k++)
+        *residual[k] = within_bound(*residual[k] * f->cell);
     /* p -> o + cell (A (p - o) / cell + b) */
     g[4] = x0 - (g[0] * x0 + g[1] * y0) + f->cell * g[4];
     g[5] = y0 - (g[2] * x0 + g[3] * y0) + f->cell * g[5];
-    fit->box[0] = x0;
-    fit->box[1] = y0;
-    fit->box[2] = x0 + f->cell * f->cells_x;
-    fit->box[3] = y0 + f->cell * f->cells_y;
+    for (int k = 0; k < 4; k++)
+        fit->box[k] = within_bound(box[k]);
     for (size_t k = 0; k < fit->n_lattices; k++) {
         il_lattice *l = &fit->lattice[k];
         l->x = x0 + f->cell * l->x;

@@ -18,11 +18,17 @@ typedef struct il_frame {
  * frame cannot be moved freely there (2.4 cells off instead of 0.3). */
 il_frame il_frame_about(const il_group *g, const il_slice *lower, const il_slice *upper);
 
+/* Is F so near to the bound of coordinates that images, or the shift of a global
+ * step, can lie beyond?  That shift is x - A x with factors up to 64 in A (global.h),
+ * and some room.  Slices are then taken as they lie. */
+bool il_frame_is_far(const il_frame *f);
+
 /* The rings ring[n_rings] of a slice in cells: xy[2*n] and next[n], the caller's. */
 il_status il_frame_outline(const il_frame *f, const il_slice *s, const uint32_t *ring, size_t n_rings,
                            double **xy, uint32_t **next, size_t *n, il_error *err);
 
-/* A fit in cells becomes one in the stack's unit, with the frame as its box. */
+/* A fit in cells becomes one in the stack's unit, with the frame as its box; box and
+ * residuals stop short of the bound of coordinates. */
 void il_frame_scale_fit(const il_frame *f, il_fit *fit);
 
 static inline void il_frame_to_cells(const il_frame *f, const double p[2], double out[2])

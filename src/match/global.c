@@ -61,6 +61,15 @@ static double eccentricity(symmetric m)
     return mean > spread ? (mean + spread) / (mean - spread) : INFINITY;
 }
 
+/* Have both regions an area, and neither 64 times as far across as the other?  Of
+ * 256 cells that is four, of which no moments are worth following; and 1 / area
+ * of a needle is as large as can be. */
+static bool are_comparable(const moments *l, const moments *u)
+{
+    const double most = 64. * 64;
+    return l->area > 0 && u->area > 0 && l->area <= most * u->area && u->area <= most * l->area;
+}
+
 /* G such that the centroid goes to the centroid. */
 static void set(il_global *g, const double a[4], const moments *from, const moments *to)
 {
@@ -73,7 +82,7 @@ static void set(il_global *g, const double a[4], const moments *from, const mome
 bool il_global_by_moments(const il_outline *lower, const il_outline *upper, il_global *g)
 {
     moments l = moments_of(lower), u = moments_of(upper);
-    if (!(l.area > 0 && u.area > 0))
+    if (!are_comparable(&l, &u))
         return false;
     /* A = C_u^-1/2 (C_u^1/2 C_l C_u^1/2)^1/2 C_u^-1/2 */
     symmetric cu = { u.xx, u.xy, u.yy }, cl = { l.xx, l.xy, l.yy }, half = root(cu);
@@ -129,7 +138,7 @@ bool il_global_with_turn(const il_outline *lower, const il_outline *upper, il_gl
     moments l = moments_of(lower), u = moments_of(upper);
     double a[BINS], b[BINS], best;
     int at = 0;
-    if (!(l.area > 0 && u.area > 0))
+    if (!are_comparable(&l, &u))
         return false;
     signature(lower, &l, a);
     signature(upper, &u, b);

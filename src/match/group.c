@@ -49,6 +49,16 @@ static il_outline outline(const group_match *m, int side)
     return (il_outline){ m->xy[side], m->next[side], m->n[side] };
 }
 
+/* phi becomes the identity. */
+static void stay(il_fit *fit)
+{
+    il_fit_drop_lattices(fit);
+    fit->steps = 0;
+    fit->least_jacobian = 1;
+    fit->distortion = 0;
+    memcpy(fit->global, (double[6]){ 1, 0, 0, 1, 0, 0 }, sizeof fit->global);
+}
+
 static il_status solve(group_match *m, il_error *err)
 {
     const il_group *g = m->group;
@@ -60,7 +70,10 @@ static il_status solve(group_match *m, il_error *err)
         return st;
     il_outline lower = outline(m, 0), upper = outline(m, 1);
     m->spacing = il_ffd_spacing(&lower, &upper);
-    return il_ffd_solve(m->solver, &lower, &upper, m->frame.cells_x, m->frame.cells_y, &m->fit, err);
+    st = il_ffd_solve(m->solver, &lower, &upper, m->frame.cells_x, m->frame.cells_y, &m->fit, err);
+    if (st == IL_OK && il_frame_is_far(&m->frame))
+        stay(&m->fit);
+    return st;
 }
 
 /* ---- the image of a ring ---- */

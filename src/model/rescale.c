@@ -11,8 +11,6 @@ static const long micrometres[IL_N_UNITS] = {
     [IL_UNIT_KM] = 1000000000, [IL_UNIT_IN] = 25400, [IL_UNIT_FT] = 304800, [IL_UNIT_DEG] = 0
 };
 
-static const double COORDINATE_MOST = 1e15;
-
 /* numerator / denominator: units TO in one of the stack's, in lowest terms.
  * n_rounded, n_values: of this stack, coordinates that were rounded, and all. */
 typedef struct rescaler {
@@ -52,7 +50,7 @@ static il_status convert(rescaler *r, double *value, long line, il_error *err)
 {
     bool exact;
     double result = il_rescale_value(*value, r->numerator, r->denominator, &exact);
-    if (!(fabs(result) < COORDINATE_MOST))
+    if (!(fabs(result) < IL_COORDINATE_BOUND))
         return il_fail(err, IL_E_INPUT, line, "a coordinate reaches 1e15 when converted to %s", il_unit_name(r->to));
     r->n_values++;
     if (!exact) {

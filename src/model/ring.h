@@ -6,6 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Coordinates, and whatever else a stack says in its unit, stay below this. */
+#define IL_COORDINATE_BOUND 1e15
+
 /* Marks of a vertex. */
 enum {
     IL_VERTEX_INSERTED = 1, /* not from the input: put there by isoloft */

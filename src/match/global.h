@@ -17,8 +17,8 @@ typedef struct il_global {
 /* The affine map without rotation that takes the area, centroid and second
  * moments of UPPER to those of LOWER (the optimal transport of their ellipses:
  * Olkin & Pukelsheim 1982), or scale and shift where that would stretch one way
- * more than half as much again as the other.  False when either has no area, or
- * less than 1 / 64^2 of the other's. */
+ * more than 2.5 times as much as the other: a bar that bends is no wider bar.
+ * False when either has no area, or less than 1 / 64^2 of the other's. */
 bool il_global_by_moments(const il_outline *lower, const il_outline *upper, il_global *g);
 
 /* As scale and shift, and the turn by at most 90 degrees that makes the greatest

@@ -1,6 +1,6 @@
 #include "config.h"
 #include "base/alloc.h"
-#include "match/distance.h"
+#include "match/distance-private.h"
 #include "test.h"
 
 #include <math.h>
@@ -330,6 +330,39 @@ static void the_labelled_segment_is_a_nearest_one(void **state)
     free_shape(&s);
 }
 
+/* Of the candidates in the tile of (X, Y), on the contour, how many a foot there looks at. */
+static size_t looked_at(const il_distance *d, float x, float y, size_t *of)
+{
+    int32_t slot = d->slot[(uint32_t)y / IL_TILE_CELLS * d->tiles_x + (uint32_t)x / IL_TILE_CELLS];
+    size_t n = 0, c = d->first[slot];
+    *of = d->first[slot + 1] - c;
+    for (uint32_t b = d->first_block[slot]; b < d->first_block[slot + 1]; c = d->block[b++].end) {
+        const il_distance_block *k = &d->block[b];
+        n += x < k->x0 || x > k->x1 || y < k->y0 || y > k->y1 ? 1 : d->block[b].end - c;
+    }
+    assert_int_equal(c, d->first[slot + 1]);
+    return n;
+}
+
+/* Half a million vertices in a ring have feet among each other in seconds. */
+static void feet_look_at_the_root_of_what_is_in_the_tile(void **state)
+{
+    (void)state;
+    shape s = { 0 };
+    il_distance d = IL_DISTANCE_INIT;
+    add_star(&s, 100000, 128, 128, 80, 0.2, 5);
+    begin(&d, &s, 256, 256);
+    for (size_t k = 0; k < s.n; k += 1000) {
+        float x = (float)s.xy[2 * k], y = (float)s.xy[2 * k + 1];
+        size_t of, n;
+        assert_true(il_distance_foot(&d, x, y).distance < 1e-4);
+        n = looked_at(&d, x, y, &of);
+        assert_true((double)n <= 4 * sqrt((double)of) + 32);
+    }
+    il_distance_free(&d);
+    free_shape(&s);
+}
+
 /* phi, d phi/dx, d phi/dy between the nodes around (X, Y), which lies within the raster. */
 static void interpolate(const shape *s, double x, double y, uint32_t cells_x, uint32_t cells_y, double *out)
 {
@@ -456,6 +489,7 @@ int main(void)
         cmocka_unit_test(vertices_on_nodes_and_edges_along_rows_keep_the_parity),
         cmocka_unit_test(half_planes_corners_and_discs_are_as_computed),
         cmocka_unit_test(the_labelled_segment_is_a_nearest_one),
+        cmocka_unit_test(feet_look_at_the_root_of_what_is_in_the_tile),
         cmocka_unit_test(between_nodes_it_is_bilinear_and_beyond_the_border_as_on_it),
         cmocka_unit_test(only_tiles_that_are_looked_at_are_made),
         cmocka_unit_test(a_map_begun_again_knows_nothing_of_the_last),

@@ -46,6 +46,12 @@ typedef struct il_distance_rows {
     float k, twice_along, twice_across, to_foot, excess; /* from afar only */
 } il_distance_rows;
 
+/* The box of some candidates of a tile that follow each other. */
+typedef struct il_distance_block {
+    double x0, y0, x1, y1;
+    uint32_t end;             /* behind the last, in candidate */
+} il_distance_block;
+
 /* Work out tile T; its slot, or -1 without memory. */
 int32_t il_distance_make_tile(il_distance *d, uint32_t t);
 

@@ -380,6 +380,35 @@ IL_CLONES static void sign_tile(const il_distance *d, size_t i, size_t j, float 
     }
 }
 
+/* ---- blocks ---- */
+
+static void extend(il_distance_block *b, const il_distance_segment *s)
+{
+    double end_x = s->ax + s->length * s->ux, end_y = s->ay + s->length * s->uy;
+    b->x0 = fmin(b->x0, fmin(s->ax, end_x));
+    b->y0 = fmin(b->y0, fmin(s->ay, end_y));
+    b->x1 = fmax(b->x1, fmax(s->ax, end_x));
+    b->y1 = fmax(b->y1, fmax(s->ay, end_y));
+}
+
+/* Candidates BEGIN .. n_candidates of the next tile, by as many blocks as there are
+ * candidates in each, but at least 16: they come in the order of segments, so those
+ * of one block lie together. */
+static bool make_blocks(il_distance *d, size_t begin)
+{
+    size_t n = d->n_candidates - begin, size = (size_t)fmax(16, ceil(sqrt((double)n)));
+    if (!il_grow(&d->block, &d->cap_block, d->n_blocks + (n + size - 1) / size, sizeof *d->block))
+        return false;
+    for (size_t c = begin; c < d->n_candidates;) {
+        size_t end = d->n_candidates - c < size ? d->n_candidates : c + size;
+        il_distance_block b = { INFINITY, INFINITY, -INFINITY, -INFINITY, (uint32_t)end };
+        for (; c < end; c++)
+            extend(&b, &d->segment[d->candidate[c]]);
+        d->block[d->n_blocks++] = b;
+    }
+    return true;
+}
+
 /* ---- the tile ---- */
 
 int32_t il_distance_make_tile(il_distance *d, uint32_t t)
@@ -389,7 +418,9 @@ int32_t il_distance_make_tile(il_distance *d, uint32_t t)
     float x = (float)i + 0.5f * IL_TILE_CELLS, y = (float)j + 0.5f * IL_TILE_CELLS;
     if (!il_grow(&d->value, &d->cap_value, (slot + 1) * NODES, sizeof *d->value)
         || !il_grow(&d->nearest, &d->cap_nearest, (slot + 1) * NODES, sizeof *d->nearest)
-        || !il_grow(&d->first, &d->cap_first, slot + 2, sizeof *d->first) || !cull_all(d, x, y)) {
+        || !il_grow(&d->first, &d->cap_first, slot + 2, sizeof *d->first)
+        || !il_grow(&d->first_block, &d->cap_first_block, slot + 2, sizeof *d->first_block)
+        || !cull_all(d, x, y) || !make_blocks(d, begin)) {
         d->failed = true;
         return -1;
     }
@@ -403,6 +434,7 @@ int32_t il_distance_make_tile(il_distance *d, uint32_t t)
     }
     sign_tile(d, i, j, value);
     d->first[slot + 1] = (uint32_t)d->n_candidates;
+    d->first_block[slot + 1] = (uint32_t)d->n_blocks;
     d->slot[t] = (int32_t)slot;
     d->n_tiles_done = slot + 1;
     return (int32_t)slot;

@@ -22,6 +22,8 @@ void il_distance_free(il_distance *d)
     il_free(d->nearest);
     il_free(d->candidate);
     il_free(d->first);
+    il_free(d->block);
+    il_free(d->first_block);
     il_free(d->bound);
     il_free(d->kept);
     il_free(d->way);
@@ -102,6 +104,7 @@ static bool make_room(il_distance *d)
         && il_grow(&d->inside, &d->cap_inside, (d->cells_y + 1) * d->row_words + WORDS, sizeof *d->inside)
         && il_grow(&d->slot, &d->cap_slot, n_tiles, sizeof *d->slot)
         && il_grow(&d->first, &d->cap_first, 1, sizeof *d->first)
+        && il_grow(&d->first_block, &d->cap_first_block, 1, sizeof *d->first_block)
         && il_grow(&d->bound, &d->cap_bound, groups(d->n_runs) * IL_LANES, sizeof *d->bound)
         && il_grow(&d->kept, &d->cap_kept, d->n_runs * IL_LANES, sizeof *d->kept)
         && il_grow(&d->way, &d->cap_way, d->n_runs, sizeof *d->way)
@@ -164,13 +167,13 @@ il_status il_distance_begin(il_distance *d, const double *xy, const uint32_t *ne
     d->tiles_x = (cells_x + IL_TILE_CELLS - 1) / IL_TILE_CELLS;
     d->tiles_y = (cells_y + IL_TILE_CELLS - 1) / IL_TILE_CELLS;
     d->row_words = (cells_x + 1) / 64 + 2;
-    d->n_tiles_done = d->n_candidates = 0;
+    d->n_tiles_done = d->n_candidates = d->n_blocks = 0;
     d->failed = !make_room(d);
     if (d->failed)
         return il_fail_nomem(err);
     for (size_t t = 0; t < (size_t)d->tiles_x * d->tiles_y; t++)
         d->slot[t] = -1;
-    d->first[0] = 0;
+    d->first[0] = d->first_block[0] = 0;
     lay_segments(d, xy, next);
     lay_runs(d);
     lay_boxes(d);
@@ -279,6 +282,13 @@ static place foot_on(const il_distance_segment *s, double x, double y)
     return (place){ along, ex * ex + ey * ey };
 }
 
+/* Is all of B further from (X, Y) than the root of DISTANCE2, whatever the rounding? */
+static bool is_beyond(const il_distance_block *b, double x, double y, double distance2)
+{
+    double dx = fmax(fmax(b->x0 - x, x - b->x1), 0), dy = fmax(fmax(b->y0 - y, y - b->y1), 0);
+    return (dx * dx + dy * dy) * (1 - 1e-9) > distance2;
+}
+
 il_foot il_distance_foot(il_distance *d, float x, float y)
 {
     x = clamp(x, (float)d->cells_x), y = clamp(y, (float)d->cells_y);
@@ -289,11 +299,16 @@ il_foot il_distance_foot(il_distance *d, float x, float y)
     /* That of the cell's corner is most often the one: hardly another will be nearer. */
     uint32_t nearest = d->nearest[place_in_tile(slot, i, j)];
     place best = foot_on(&d->segment[nearest], x, y);
-    for (uint32_t c = d->first[slot]; c < d->first[slot + 1]; c++) {
-        place p = foot_on(&d->segment[d->candidate[c]], x, y);
-        if (p.distance2 < best.distance2) {
-            best = p;
-            nearest = d->candidate[c];
+    uint32_t c = d->first[slot];
+    for (uint32_t b = d->first_block[slot]; b < d->first_block[slot + 1]; b++) {
+        if (is_beyond(&d->block[b], x, y, best.distance2))
+            c = d->block[b].end;
+        for (; c < d->block[b].end; c++) {
+            place p = foot_on(&d->segment[d->candidate[c]], x, y);
+            if (p.distance2 < best.distance2) {
+                best = p;
+                nearest = d->candidate[c];
+            }
         }
     }
     double length = d->segment[nearest].length;

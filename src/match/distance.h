@@ -33,6 +33,8 @@ typedef struct il_distance {
     uint32_t *nearest;       size_t cap_nearest;   /* segment at each node, as value */
     uint32_t *candidate;     size_t n_candidates, cap_candidate;
     uint32_t *first;         size_t cap_first;     /* [n_tiles_done + 1] into candidate */
+    struct il_distance_block *block; size_t n_blocks, cap_block;
+    uint32_t *first_block;   size_t cap_first_block; /* [n_tiles_done + 1] into block */
     size_t n_tiles_done;
     /* of the tile being made */
     float *bound;            size_t cap_bound;     /* of runs */
@@ -69,7 +71,8 @@ typedef struct il_foot {
 } il_foot;
 
 /* Exact but for rounding: all segments that can be nearest in the tile are tried.
- * Outside of the raster and without memory as il_distance_sample. */
+ * Outside of the raster and without memory as il_distance_sample.  About the root
+ * of the number of segments in the tile. */
 il_foot il_distance_foot(il_distance *d, float x, float y);
 
 #endif

@@ -48,6 +48,8 @@ exits 0 "the last one" "$ISOLOFT" plot matched.loft --pair 31
 exits 0 "a pair without a record is drawn" "$ISOLOFT" plot "$vase" --pair 3
 says "and said to be without" out "Not matched"
 
+exits 0 "arcs that are near without it" "$ISOLOFT" plot "$samples/v_pair_near.loft" --pair 0
+holds "are no matched arcs" grep -q "1 pair of matched arcs" out
 exits 0 "a deformation" "$ISOLOFT" plot "$samples/v_pair_ffd.loft" --pair 0
 picture "is a picture" out
 says "with the plane it makes" out "upper slice carried by"

@@ -39,7 +39,9 @@ static il_status draw_links(il_svg_page *page, const il_svg_view *v, il_arcs *a,
     il_svg_open(page, style->links);
     il_svg_path_begin(page, "stroke=\"" IL_LINK_COLOR "\"");
     for (size_t k = 0; k < a->pair->n_matches && st == IL_OK; k++) {
-        size_t n;
+        size_t n = 0;
+        if (a->pair->match[k].as_they_lie)
+            continue;
         st = il_arcs_links(a, &a->pair->match[k], spacing, spacing / 16, &n, err);
         for (size_t i = 0; i < n; i++) {
             double from[2], to[2];
@@ -60,6 +62,8 @@ static il_status draw_matched(il_svg_page *page, const il_svg_view *v, il_arcs *
     il_svg_path_begin(page, upper ? "stroke=\"" IL_UPPER_COLOR "\"" : "stroke=\"" IL_LOWER_COLOR "\"");
     for (size_t k = 0; k < a->pair->n_matches && st == IL_OK; k++) {
         const il_match *m = &a->pair->match[k];
+        if (m->as_they_lie)
+            continue;
         st = il_arcs_trace(a, upper, upper ? &m->upper : &m->lower, &a->from, err);
         if (st == IL_OK) {
             il_svg_outline(page, v, a->from.xy, a->from.n, false);

@@ -156,12 +156,33 @@ static void describe_side(il_label *l, const char *side, double matched, double 
     il_label_words(l, " outline");
 }
 
+static size_t count_matches(const il_pair *p)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < p->n_matches; i++)
+        n += !p->match[i].as_they_lie;
+    return n;
+}
+
+/* Groups whose surface does not follow phi. */
+static void tell_untrusted(il_label *l, const il_pair *p)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < p->n_groups; i++)
+        n += p->group[i].fitted && !il_fit_is_trusted(&p->group[i].fit);
+    if (n == 0)
+        return;
+    il_label_words(l, " Lofted as they lie, for \xCF\x86 is not trusted: ");
+    il_label_counted(l, n, "group");
+    il_label_words(l, ".");
+}
+
 static void tell_matches(il_svg_page *page, const il_pair *p, const il_match_facts *m)
 {
     static const char *const events[] = { " branch", " cap", " hole" };
     il_label l = IL_LABEL_INIT;
-    if (p->n_matches > 0) {
-        il_label_counted(&l, p->n_matches, "pair");
+    if (count_matches(p) > 0) {
+        il_label_counted(&l, count_matches(p), "pair");
         il_label_words(&l, " of matched arcs: ");
         describe_side(&l, "lower", m->lower_matched, m->lower_length);
         il_label_words(&l, ", ");
@@ -179,6 +200,7 @@ static void tell_matches(il_svg_page *page, const il_pair *p, const il_match_fac
         before = ", ";
     }
     il_label_words(&l, ".");
+    tell_untrusted(&l, p);
     il_picture_paragraph(page, IL_PAGE_INNER, l.text);
 }
 
@@ -201,7 +223,7 @@ static void draw_legend(il_svg_page *page, const il_pair *p, const il_match_fact
 {
     il_legend_entry entry[IL_MATCH_ENTRIES + 4];
     il_label words = IL_LABEL_INIT;
-    size_t n = il_picture_match_legend(entry, p->n_matches > 0, p->n_insertions > 0, m->unmatched);
+    size_t n = il_picture_match_legend(entry, count_matches(p) > 0, p->n_insertions > 0, m->unmatched);
     if (deformed) {
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_LOWER_BAND "\" stroke-width=\"4.5\"", "lower contour in (b)", false };
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"1.3\"", "\xCF\x86(upper contour)", false };

@@ -318,8 +318,20 @@ static void assert_phi(const couple *c)
         }
 }
 
+/* As the reader gives them behind a pipe. */
+static void assert_canonical_order(const il_pair *p)
+{
+    for (size_t i = 1; i < p->n_matches; i++) {
+        const il_match *a = &p->match[i - 1], *b = &p->match[i];
+        const il_place *s = &a->lower.from, *t = &b->lower.from;
+        assert_true(a->as_they_lie != b->as_they_lie ? b->as_they_lie
+                                                     : s->ring != t->ring ? s->ring < t->ring : s->vertex < t->vertex);
+    }
+}
+
 static void assert_record(const couple *c)
 {
+    assert_canonical_order(&c->pair);
     assert_readable(c);
     assert_arcs(c);
     assert_arcs_as_they_lie(c);

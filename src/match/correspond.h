@@ -5,7 +5,7 @@
 #include "match/course.h"
 
 /* Rings are numbered in the group, places and residuals are those of the courses
- * (cells).  In order of the upper places. */
+ * (cells).  Whole rings come first. */
 typedef struct il_correspondence {
     il_match *match;          size_t n_matches, cap_matches;
     il_unmatched *unmatched;  size_t n_unmatched, cap_unmatched;

@@ -5,6 +5,8 @@
 #include "match/group.h"
 #include "match/link.h"
 
+#include <stdlib.h>
+
 /* phi of all upper rings, in order; a ring that was not matched stays. */
 static il_status record_images(il_pair *pair, const il_slice *upper, const il_image *image, il_error *err)
 {
@@ -25,6 +27,21 @@ static il_status record_images(il_pair *pair, const il_slice *upper, const il_im
     return IL_OK;
 }
 
+/* By whether phi is followed, then by where the lower arc begins, where no other
+ * does: the order of the canonical form (formats/loft.txt, section 9), so that
+ * lofting, which cuts the first of two seams that meet, sees the same in one
+ * process as behind a pipe. */
+static int compare_matches(const void *p, const void *q)
+{
+    const il_match *a = p, *b = q;
+    const il_place *s = &a->lower.from, *t = &b->lower.from;
+    if (a->as_they_lie != b->as_they_lie)
+        return a->as_they_lie ? 1 : -1;
+    if (s->ring != t->ring)
+        return s->ring < t->ring ? -1 : 1;
+    return s->vertex < t->vertex ? -1 : s->vertex > t->vertex;
+}
+
 il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il_match_options *o,
                           il_ffd *solver, il_pair *out, il_error *err)
 {
@@ -37,6 +54,8 @@ il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il
     for (size_t i = 0; st == IL_OK && i < out->n_groups; i++)
         if (out->group[i].n_lower > 0 && out->group[i].n_upper > 0)
             st = il_group_match(out, &out->group[i], lower, upper, solver, o->keep_lattices, image, err);
+    if (st == IL_OK && out->n_matches > 0)
+        qsort(out->match, out->n_matches, sizeof *out->match, compare_matches);
     if (st == IL_OK)
         st = record_images(out, upper, image, err);
     for (size_t r = 0; image && r < upper->n; r++)

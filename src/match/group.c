@@ -1,3 +1,5 @@
+/* group.c - one group on its way through the matcher: frame, outlines, deformation,
+ * the image of its upper rings, arcs that correspond, the record. */
 #include "config.h"
 #include "match/group.h"
 #include "base/alloc.h"

@@ -21,8 +21,10 @@ bool il_fit_is_trusted(const il_fit *f)
 {
     const double *g = f->global;
     bool moved = g[0] != 1 || g[1] != 0 || g[2] != 0 || g[3] != 1 || g[4] != 0 || g[5] != 0;
-    return f->distortion <= (moved ? IL_DISTORTION_MOST_MOVED : IL_DISTORTION_MOST) &&
-           f->least_jacobian >= IL_SQUEEZE_MOST * (g[0] * g[3] - g[1] * g[2]);
+    double growth = g[0] * g[3] - g[1] * g[2];
+    bool leeway = moved && growth <= IL_GROWTH_MOST && growth * IL_GROWTH_MOST >= 1;
+    return f->distortion <= (leeway ? IL_DISTORTION_MOST_MOVED : IL_DISTORTION_MOST) &&
+           f->least_jacobian >= IL_SQUEEZE_MOST * growth;
 }
 
 static void free_group(il_group *g)

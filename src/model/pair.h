@@ -126,9 +126,11 @@ void il_fit_free(il_fit *f);          /* with its lattices; all zero afterwards 
  * no partner for something else.  Bounds for the distortion, without and with a
  * global step, and for the least Jacobian over that of the global step, measured
  * on sliced solids: beyond them the slices as they lie are the better guide.
- * They are a poorer one where a global step was needed. */
+ * They are a poorer one where a global step was needed, unless it is one that
+ * changes areas more than IL_GROWTH_MOST times: then something ends or opens. */
 #define IL_DISTORTION_MOST 0.2
 #define IL_DISTORTION_MOST_MOVED 0.4
+#define IL_GROWTH_MOST 2.5
 #define IL_SQUEEZE_MOST 0.25
 bool il_fit_is_trusted(const il_fit *f);
 void il_fit_drop_lattices(il_fit *f); /* they alone; `steps` still says how many */

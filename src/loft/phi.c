@@ -61,8 +61,7 @@ size_t il_phi_row_after(const il_phi *phi, il_place at)
     size_t low = phi->first[at.ring], high = phi->first[at.ring + 1];
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        const il_place *p = &phi->pair->phi[middle].at;
-        if (p->vertex > at.vertex || (p->vertex == at.vertex && p->t > at.t))
+        if (il_place_compare(&phi->pair->phi[middle].at, &at) > 0)
             high = middle;
         else
             low = middle + 1;

@@ -34,12 +34,9 @@ static il_status record_images(il_pair *pair, const il_slice *upper, const il_im
 static int compare_matches(const void *p, const void *q)
 {
     const il_match *a = p, *b = q;
-    const il_place *s = &a->lower.from, *t = &b->lower.from;
     if (a->as_they_lie != b->as_they_lie)
         return a->as_they_lie ? 1 : -1;
-    if (s->ring != t->ring)
-        return s->ring < t->ring ? -1 : 1;
-    return s->vertex < t->vertex ? -1 : s->vertex > t->vertex;
+    return il_place_compare(&a->lower.from, &b->lower.from);
 }
 
 il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il_match_options *o,

@@ -124,12 +124,7 @@ static void move_rings(const renumbering *r, uint32_t *ring, size_t n)
 
 static int compare_phi(const void *p, const void *q)
 {
-    const il_place *a = &((const il_phi_point *)p)->at, *b = &((const il_phi_point *)q)->at;
-    if (a->ring != b->ring)
-        return a->ring < b->ring ? -1 : 1;
-    if (a->vertex != b->vertex)
-        return a->vertex < b->vertex ? -1 : 1;
-    return a->t < b->t ? -1 : a->t > b->t;
+    return il_place_compare(&((const il_phi_point *)p)->at, &((const il_phi_point *)q)->at);
 }
 
 static void carry_over(il_pair *p, const renumbering r[2], const il_slice *is)

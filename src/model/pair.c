@@ -2,6 +2,15 @@
 #include "model/pair.h"
 #include "base/alloc.h"
 
+int il_place_compare(const il_place *a, const il_place *b)
+{
+    if (a->ring != b->ring)
+        return a->ring < b->ring ? -1 : 1;
+    if (a->vertex != b->vertex)
+        return a->vertex < b->vertex ? -1 : 1;
+    return a->t < b->t ? -1 : a->t > b->t;
+}
+
 void il_fit_drop_lattices(il_fit *f)
 {
     for (size_t i = 0; i < f->n_lattices; i++)

@@ -14,6 +14,9 @@ typedef struct il_place {
     double t;
 } il_place;
 
+/* Negative, 0 or positive: by ring, then vertex, then t. */
+int il_place_compare(const il_place *a, const il_place *b);
+
 /* phi of the upper slice's point at PLACE, in the stack's unit. */
 typedef struct il_phi_point {
     il_place at;

@@ -18,18 +18,10 @@ static int by_number(double a, double b)
     return a < b ? -1 : a > b;
 }
 
-static int by_place(const il_place *a, const il_place *b)
-{
-    int c = by_index(a->ring, b->ring);
-    if (c == 0)
-        c = by_index(a->vertex, b->vertex);
-    return c != 0 ? c : by_number(a->t, b->t);
-}
-
 static int by_arc(const il_arc *a, const il_arc *b)
 {
-    int c = by_place(&a->from, &b->from);
-    return c != 0 ? c : by_place(&a->to, &b->to);
+    int c = il_place_compare(&a->from, &b->from);
+    return c != 0 ? c : il_place_compare(&a->to, &b->to);
 }
 
 static int compare_rings(const void *a, const void *b)
@@ -53,13 +45,13 @@ static int compare_matches(const void *va, const void *vb)
     const il_match *a = va, *b = vb;
     int c = (int)a->as_they_lie - (int)b->as_they_lie;
     if (c == 0)
-        c = by_place(&a->lower.from, &b->lower.from);
+        c = il_place_compare(&a->lower.from, &b->lower.from);
     if (c == 0)
-        c = by_place(&a->upper.from, &b->upper.from);
+        c = il_place_compare(&a->upper.from, &b->upper.from);
     if (c == 0)
-        c = by_place(&a->lower.to, &b->lower.to);
+        c = il_place_compare(&a->lower.to, &b->lower.to);
     if (c == 0)
-        c = by_place(&a->upper.to, &b->upper.to);
+        c = il_place_compare(&a->upper.to, &b->upper.to);
     if (c == 0)
         c = by_number(a->residual_mean, b->residual_mean);
     return c != 0 ? c : by_number(a->residual_max, b->residual_max);
@@ -79,7 +71,7 @@ static int compare_insertions(const void *va, const void *vb)
     const il_insertion *a = va, *b = vb;
     int c = (int)a->upper - (int)b->upper;
     if (c == 0)
-        c = by_place(&a->at, &b->at);
+        c = il_place_compare(&a->at, &b->at);
     if (c == 0)
         c = by_number(a->x, b->x);
     return c != 0 ? c : by_number(a->y, b->y);

@@ -61,25 +61,42 @@ static bool index_vertices(corresponder *c)
     return true;
 }
 
+/* The lower course's point at the vertex behind vertex V of the outline, and in
+ * *END how far along the ring that is, its whole length at its first vertex. */
+static size_t next_vertex(const corresponder *c, size_t v, double *end)
+{
+    const il_course *l = c->lower;
+    uint32_t ring = l->point[c->vertex_point[v]].ring;
+    bool is_last = v + 1 == c->ring_begin[ring + 1];
+    size_t w = is_last ? l->first[ring] : c->vertex_point[v + 1];
+    *end = is_last ? l->length[ring] : l->point[w].at;
+    return w;
+}
+
 static void find_foot(corresponder *c, size_t k)
 {
     const il_course_point *p = &c->upper->point[k];
     double near = c->as_they_lie ? NEAR_AS_THEY_LIE : NEAR;
     il_foot f = il_ffd_foot(c->solver, p->x, p->y);
     const il_course_point *v = &c->lower->point[c->vertex_point[f.segment]];
-    const il_course_point *w = f.segment + 1 < c->ring_begin[v->ring + 1] ? &c->lower->point[c->vertex_point[f.segment + 1]]
-                                                                        : &c->lower->point[c->lower->first[v->ring]];
-    double length = (w->at > v->at ? w->at : c->lower->length[v->ring]) - v->at;
+    double end;
+    const il_course_point *w = &c->lower->point[next_vertex(c, f.segment, &end)];
+    double length = end - v->at;
     double dx = w->x - v->x, dy = w->y - v->y, cosine = length > 0 ? (p->nx * dy - p->ny * dx) / length : 0;
     c->foot[k] = (foot){ v->at + f.t * length, v->ring, f.distance <= near && cosine > NORMALS_AGREE };
 }
 
-/* How far the foot runs on from upper point K to the one after it. */
+/* How far the foot runs on from upper point K to point P, the shorter way. */
+static double advance_to(const corresponder *c, size_t k, size_t p)
+{
+    double length = c->lower->length[c->foot[k].ring], d = c->foot[p].at - c->foot[k].at;
+    return d - length * round(d / length);
+}
+
+/* The same to the point after K. */
 static double advance(const corresponder *c, size_t k)
 {
-    const foot *a = &c->foot[k], *b = &c->foot[il_course_after(c->upper, k)];
-    double length = c->lower->length[a->ring], d = b->at - a->at;
-    return d - length * round(d / length);
+    return advance_to(c, k, il_course_after(c->upper, k));
 }
 
 /* So many points in a row that fit badly, at a spike say, do not end an arc. */
@@ -94,8 +111,7 @@ static void bridge_gap(corresponder *c, size_t k)
         end = il_course_after(u, end), n++;
     if (n == 1 || end == k || !c->foot[end].good || c->foot[end].ring != c->foot[k].ring)
         return;
-    double length = c->lower->length[c->foot[k].ring], d = c->foot[end].at - c->foot[k].at;
-    d -= length * round(d / length);
+    double length = c->lower->length[c->foot[k].ring], d = advance_to(c, k, end);
     if (d < 0 || d > AHEAD)
         return;
     for (size_t i = 1, p = il_course_after(u, k); i < n; i++, p = il_course_after(u, p)) {
@@ -129,8 +145,8 @@ static size_t vertex_at_foot(const corresponder *c, size_t k)
         else
             high = middle;
     }
-    size_t v = c->vertex_point[low], w = low + 1 < c->ring_begin[f->ring + 1] ? c->vertex_point[low + 1] : l->first[f->ring];
-    double end = l->point[w].at > l->point[v].at ? l->point[w].at : l->length[f->ring];
+    double end;
+    size_t v = c->vertex_point[low], w = next_vertex(c, low, &end);
     return f->at - l->point[v].at <= end - f->at ? v : w;
 }
 
@@ -320,16 +336,17 @@ static il_status match_runs(corresponder *c, size_t r, il_error *err)
 
 /* ---- what is left ---- */
 
+/* What an arc, or the whole of a ring, was that has no partner. */
 static il_event event_of(const corresponder *c, const il_course *course, size_t ring, bool whole)
 {
     double area2 = 0;
+    if (!whole)
+        return c->lower->n_rings != c->upper->n_rings ? IL_EVENT_BRANCH : IL_EVENT_CAP;
     for (size_t k = course->first[ring]; k < course->first[ring + 1]; k++) {
         const il_course_point *p = &course->point[k], *q = &course->point[il_course_after(course, k)];
         area2 += p->x * q->y - q->x * p->y;
     }
-    if (whole && area2 < 0)
-        return IL_EVENT_HOLE;
-    return c->lower->n_rings != c->upper->n_rings && !whole ? IL_EVENT_BRANCH : IL_EVENT_CAP;
+    return area2 < 0 ? IL_EVENT_HOLE : IL_EVENT_CAP;
 }
 
 static bool add_unmatched(corresponder *c, bool upper, size_t from, size_t to, size_t ring, bool whole)

@@ -152,7 +152,7 @@ static float dot(const float *a, const float *b, size_t n)
     return il_f8_sum(sum);
 }
 
-/* sum of r r m, and z = m r laid on the direction: d = m r + beta d. */
+/* sum of m r^2. */
 IL_CLONES
 static float weighted_square(const float *r, const float *m, size_t n)
 {
@@ -164,6 +164,7 @@ static float weighted_square(const float *r, const float *m, size_t n)
     return il_f8_sum(sum);
 }
 
+/* d = m r + beta d. */
 IL_CLONES
 static void turn(float *d, const float *r, const float *m, float beta, size_t n)
 {
@@ -171,6 +172,7 @@ static void turn(float *d, const float *r, const float *m, float beta, size_t n)
         il_f8_store(d + k, il_f8_load(m + k) * il_f8_load(r + k) + beta * il_f8_load(d + k));
 }
 
+/* a = a + factor b. */
 IL_CLONES
 static void add_scaled(float *a, float factor, const float *b, size_t n)
 {

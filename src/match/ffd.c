@@ -7,8 +7,8 @@
  * control points move alike (eq. 5, 6).  What is changed, and why:
  *   - Composition: each step's field is bounded to 0.48 of the lattice's spacing,
  *     under which a cubic B-spline map of the plane is one-to-one (Choi & Lee
- *     2000, Graphical Models 62:411-427: 1 / 2.0464 = 0.4886), and the next step starts from where the points
- *     are then.  A sum of increments on one lattice folds as soon as it fits.
+ *     2000, Graphical Models 62:411-427: 1 / 2.0464 = 0.4886), and the next step
+ *     starts from where the points are then.  A sum of increments on one lattice folds as soon as it fits.
  *   - Points of the contours instead of all pixels, both ways, by Gauss-Newton
  *     instead of gradient descent: equations.c.
  *   - The global step in closed form: global.c.
@@ -110,7 +110,7 @@ void il_ffd_free(il_ffd *f)
 static il_status start(il_ffd *f, const il_global *g, il_error *err)
 {
     const double *a = g->a;
-    il_status st = il_samples_thin(&f->moved, &f->moving_at, &f->cap_moving_at, &f->upper, 1, err);
+    il_status st = il_samples_copy(&f->moved, &f->upper, err);
     if (st != IL_OK || !il_grow(&f->jacobian, &f->cap_jacobian, f->moved.n, sizeof *f->jacobian))
         return st == IL_OK ? il_fail_nomem(err) : st;
     float det = (float)(a[0] * a[3] - a[1] * a[2]);

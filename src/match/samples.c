@@ -4,6 +4,7 @@
 #include "base/simd.h"
 
 #include <math.h>
+#include <string.h>
 
 void il_samples_free(il_samples *s)
 {
@@ -81,6 +82,18 @@ il_status il_samples_take(il_samples *s, const il_outline *o, double spacing, il
         close_ring(s, start);
     }
     il_samples_set_normals(s);
+    return IL_OK;
+}
+
+il_status il_samples_copy(il_samples *s, const il_samples *from, il_error *err)
+{
+    if (!reserve(s, from->n))
+        return il_fail_nomem(err);
+    s->n = from->n;
+    memcpy(s->x, from->x, (from->n + IL_LANES) * sizeof *s->x);
+    memcpy(s->y, from->y, (from->n + IL_LANES) * sizeof *s->y);
+    memcpy(s->before, from->before, from->n * sizeof *s->before);
+    memcpy(s->after, from->after, from->n * sizeof *s->after);
     return IL_OK;
 }
 

@@ -22,6 +22,9 @@ void il_samples_free(il_samples *s);
 enum { IL_SAMPLES_LEAST = 8 };
 il_status il_samples_take(il_samples *s, const il_outline *o, double spacing, il_error *err);
 
+/* The same samples at the same places; S keeps its memory, and has no normals. */
+il_status il_samples_copy(il_samples *s, const il_samples *from, il_error *err);
+
 /* Every STRIDE-th sample of each ring of FROM, but at least IL_SAMPLES_LEAST;
  * from_at[k] (grown) says which. */
 il_status il_samples_thin(il_samples *s, uint32_t **from_at, size_t *cap_from_at, const il_samples *from,

@@ -21,13 +21,9 @@ static il_status judge(il_outcome *out, const il_task *task, bool deformed, il_e
     static const double LEAST_ANGLE = 1e-7, LEAST_ANGLE_FLOAT = 1e-3;
     il_section below = IL_SECTION_INIT, above = IL_SECTION_INIT;
     const il_surface *s = &out->surface;
-    il_status st = il_section_copy(&below, task->lower, err);
+    il_status st = il_section_copy_inserted(&below, task->lower, s->insertion[0], s->n_insertions[0], err);
     if (st == IL_OK)
-        st = il_section_copy(&above, task->upper, err);
-    if (st == IL_OK)
-        st = il_section_insert(&below, s->insertion[0], s->n_insertions[0], err);
-    if (st == IL_OK)
-        st = il_section_insert(&above, s->insertion[1], s->n_insertions[1], err);
+        st = il_section_copy_inserted(&above, task->upper, s->insertion[1], s->n_insertions[1], err);
     if (st == IL_OK)
         st = il_certify(s, &below, &above, &out->verdict, err);
     if (st == IL_OK && deformed && out->verdict.flaw == IL_FLAW_NONE)

@@ -384,11 +384,8 @@ static il_status judge(il_crowd *c, const il_surface *s, uint32_t *group, il_ver
     il_section whole[2];
     il_status st = IL_OK;
     whole[0] = whole[1] = (il_section)IL_SECTION_INIT;
-    for (int k = 0; st == IL_OK && k < 2; k++) {
-        st = il_section_copy(&whole[k], c->whole[k], err);
-        if (st == IL_OK)
-            st = il_section_insert(&whole[k], s->insertion[k], s->n_insertions[k], err);
-    }
+    for (int k = 0; st == IL_OK && k < 2; k++)
+        st = il_section_copy_inserted(&whole[k], c->whole[k], s->insertion[k], s->n_insertions[k], err);
     if (st == IL_OK)
         st = il_certify_edges(s, &whole[0], &whole[1], verdict, err);
     if (st == IL_OK && verdict->flaw != IL_FLAW_NONE)

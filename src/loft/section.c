@@ -113,7 +113,7 @@ il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *er
     return il_fail_nomem(err);
 }
 
-il_status il_section_copy(il_section *to, const il_section *from, il_error *err)
+static il_status copy(il_section *to, const il_section *from, il_error *err)
 {
     size_t n = from->n_nodes, m = from->n_stations;
     *to = (il_section)IL_SECTION_INIT;
@@ -269,4 +269,10 @@ il_status il_section_insert(il_section *s, const il_split *p, size_t n, il_error
     }
     il_free(list);
     return ok ? IL_OK : il_fail_nomem(err);
+}
+
+il_status il_section_copy_inserted(il_section *to, const il_section *from, const il_split *p, size_t n, il_error *err)
+{
+    il_status st = copy(to, from, err);
+    return st == IL_OK ? il_section_insert(to, p, n, err) : st;
 }

@@ -35,8 +35,6 @@ void il_section_free(il_section *s);
  * IL_SECTION_EXTENT_LEAST across, or has too many points. */
 il_status il_section_from_slice(il_section *out, const il_slice *s, il_error *err);
 
-il_status il_section_copy(il_section *to, const il_section *from, il_error *err);
-
 /* The section of the rings ring[N] of WHOLE (rising), with nodes and stations of
  * its own: node k of it is (*node_of)[k] of WHOLE, and station k is
  * (*station_of)[k]; both are the caller's, to il_free, and null after failure.
@@ -64,5 +62,8 @@ typedef struct il_split {
 /* Insert P[0..N) into S: node k of them becomes n_nodes + k, in the order given,
  * and its edge is split at it; several on one edge go by t. */
 il_status il_section_insert(il_section *s, const il_split *p, size_t n, il_error *err);
+
+/* *TO, whatever it held: FROM with P[0..N) inserted; to be freed after failure too. */
+il_status il_section_copy_inserted(il_section *to, const il_section *from, const il_split *p, size_t n, il_error *err);
 
 #endif

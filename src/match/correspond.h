@@ -18,10 +18,10 @@ void il_correspondence_free(il_correspondence *c);
  * itself (AS_THEY_LIE: then feet may be further off).  Every upper point
  * has its foot on the lower contours; where feet are near, normals agree and the
  * feet run on with the points, the arcs correspond.  A matched arc begins and
- * ends at vertices of both, and no two share one; it is the whole ring where all
+ * ends at vertices of both, and no two overlap; it is the whole ring where all
  * of it runs once round a lower ring.  Its residuals are distances of upper
  * points from the lower arc, by the best monotone pairing (base/zipper.h).  The
- * rest is unmatched. */
+ * rest is unmatched.  IL_E_NOMEM leaves *OUT empty. */
 il_status il_correspond(il_correspondence *out, const il_course *lower, const il_course *upper, bool as_they_lie,
                         il_ffd *solver, il_error *err);
 

@@ -32,7 +32,8 @@ typedef struct il_course_row {
 } il_course_row;
 
 /* Append a ring with vertices xy[2*n] in its own plane; rows[n_rows] its image,
- * straight between rows, every vertex among them; null: the ring as it is. */
+ * straight between rows, every vertex among them; null: the ring as it is.
+ * Cells.  IL_E_NOMEM: C is only good to be freed. */
 il_status il_course_add(il_course *c, const double *xy, size_t n, const il_course_row *row, size_t n_rows, il_error *err);
 
 /* Set all normals; after the last ring. */

@@ -51,7 +51,7 @@ void il_distance_free(il_distance *d);
 /* Begin the map of closed rings in a raster of CELLS_X by CELLS_Y cells (at most
  * IL_DISTANCE_MOST_CELLS each): vertices xy[2*N]; vertex i is joined to next[i],
  * and segment i starts there.  The region is on the left of the rings; inside is
- * even-odd.  N at least 1. */
+ * even-odd.  N at least 1.  IL_E_NOMEM: D is only good to be begun again or freed. */
 il_status il_distance_begin(il_distance *d, const double *xy, const uint32_t *next, size_t n,
                             uint32_t cells_x, uint32_t cells_y, il_error *err);
 

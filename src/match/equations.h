@@ -28,7 +28,8 @@ typedef struct il_misfit {
     float forward_rms, forward_max, backward_rms, backward_max;
 } il_misfit;
 
-/* Room for N samples, N_TARGET partners, and fields of S. */
+/* Room for N samples, N_TARGET partners, and fields of S, which become 0; or
+ * IL_E_NOMEM. */
 il_status il_equations_reserve(il_equations *e, size_t n, size_t n_target, const il_spline *s, il_error *err);
 
 /* Fill the blocks for MOVED as it lies; the partners are searched ANEW or about

@@ -23,7 +23,8 @@ il_frame il_frame_about(const il_group *g, const il_slice *lower, const il_slice
  * and some room.  Slices are then taken as they lie. */
 bool il_frame_is_far(const il_frame *f);
 
-/* The rings ring[n_rings] of a slice in cells: xy[2*n] and next[n], the caller's. */
+/* The rings ring[n_rings] of a slice in cells: xy[2*n] and next[n], the caller's
+ * to il_free, after IL_E_NOMEM too. */
 il_status il_frame_outline(const il_frame *f, const il_slice *s, const uint32_t *ring, size_t n_rings,
                            double **xy, uint32_t **next, size_t *n, il_error *err);
 

@@ -13,7 +13,8 @@ typedef struct il_image {
 
 /* Match group G of PAIR, which has rings on both sides: sets its fit, appends its
  * matched and unmatched arcs to PAIR, and fills image[r] of its upper rings.
- * KEEP_LATTICES: leave the steps in the fit. */
+ * All in the stack's unit.  KEEP_LATTICES: leave the steps in the fit.
+ * IL_E_NOMEM: PAIR and IMAGE are only good to be freed. */
 il_status il_group_match(il_pair *pair, il_group *g, const il_slice *lower, const il_slice *upper,
                          il_ffd *solver, bool keep_lattices, il_image *image, il_error *err);
 

@@ -12,7 +12,8 @@
 /* Append all groups of the clean slices LOWER and UPPER to PAIR: every ring is in
  * one, rings rising; groups by their first lower ring, behind them those without
  * by their first upper ring.  Links stand between outer rings of overlapping
- * regions.  O(n log n) for contours, after the pairs of edges whose boxes meet. */
+ * regions; exact.  O(n log n) for contours, after the pairs of edges whose boxes
+ * meet.  IL_E_NOMEM: PAIR is only good to be freed. */
 il_status il_link_slices(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err);
 
 #endif

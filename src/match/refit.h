@@ -12,7 +12,8 @@
 
 typedef struct il_refit il_refit;
 
-/* NEXT (borrowed) gets the rounded slices with their records. */
+/* NEXT (borrowed) gets the rounded slices with their records.  *OUT is null after
+ * IL_E_NOMEM. */
 il_status il_refit_new(il_refit **out, il_sink *next, il_error *err);
 void il_refit_free(il_refit *r); /* null is fine */
 

@@ -7,7 +7,9 @@
 
 /* Sample k lies at (x, y)[k] with the outward unit normal (nx, ny)[k]; before[k]
  * and after[k] are its neighbours on the ring.  Behind the last there are
- * IL_LANES more, far away and without a normal, for whoever goes by lanes. */
+ * IL_LANES more, far away and without a normal, for whoever goes by lanes.
+ * Cells.  Who returns a status has no other failure than IL_E_NOMEM, after which
+ * S is only good to be filled again or freed. */
 typedef struct il_samples {
     float *x, *y, *nx, *ny;
     uint32_t *before, *after;

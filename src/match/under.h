@@ -17,6 +17,7 @@ typedef struct il_under {
 } il_under;
 
 #define IL_UNDER_INIT { 0 }
+/* O(n); IL_E_NOMEM leaves nothing to free. */
 il_status il_under_make(il_under *u, const double *const *a, const double *const *b, const double *box, size_t n, il_error *err);
 void il_under_free(il_under *u);
 

@@ -172,7 +172,8 @@ static il_status select_from(const char *pattern, counter *c, il_error *err)
     static const char *const names[] = { "Lung left", "Lung right", "Heart", "" };
     *c = (counter){ { count_begin, count_slice, count_pair, count_end, count_end }, 0, 0, 0 };
     il_sink *s = NULL;
-    il_status st = il_select_new(&s, pattern, &c->sink, err);
+    il_report report = IL_REPORT_INIT;
+    il_status st = il_select_new(&s, pattern, &c->sink, &report, err);
     for (size_t k = 0; k < 4 && st == IL_OK; k++) {
         il_stack_head head = IL_STACK_HEAD_INIT;
         il_slice slice = IL_SLICE_INIT;

@@ -225,7 +225,7 @@ static il_status build_select(pipeline *p, il_error *err)
 {
     if (!p->options->stack)
         return IL_OK;
-    il_status st = il_select_new(&p->select, p->options->stack, p->first, err);
+    il_status st = il_select_new(&p->select, p->options->stack, p->first, &p->account->report, err);
     p->first = st == IL_OK ? p->select : p->first;
     return st;
 }

@@ -8,6 +8,7 @@ typedef struct select_stage {
     il_sink sink;
     il_sink *next;
     const char *pattern;
+    il_report *report;
     bool passing;
     size_t n_passed, n_dropped;
 } select_stage;
@@ -35,7 +36,10 @@ static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
 static il_status on_stack_end(il_sink *self, il_error *err)
 {
     select_stage *s = (select_stage *)self;
-    return s->passing ? s->next->stack_end(s->next, err) : IL_OK;
+    if (s->passing)
+        return s->next->stack_end(s->next, err);
+    il_report_free(s->report); /* it would count for the next stack */
+    return IL_OK;
 }
 
 static il_status on_end(il_sink *self, il_error *err)
@@ -47,13 +51,13 @@ static il_status on_end(il_sink *self, il_error *err)
     return s->next->end(s->next, err);
 }
 
-il_status il_select_new(il_sink **out, const char *pattern, il_sink *next, il_error *err)
+il_status il_select_new(il_sink **out, const char *pattern, il_sink *next, il_report *report, il_error *err)
 {
     *out = NULL;
     select_stage *s = il_calloc(1, sizeof *s);
     if (!s)
         return il_fail_nomem(err);
-    *s = (select_stage){ { on_stack_begin, on_slice, on_pair, on_stack_end, on_end }, next, pattern, false, 0, 0 };
+    *s = (select_stage){ { on_stack_begin, on_slice, on_pair, on_stack_end, on_end }, next, pattern, report, false, 0, 0 };
     *out = &s->sink;
     return IL_OK;
 }

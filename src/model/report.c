@@ -18,6 +18,10 @@ static const struct { const char *key, *words; } repairs[IL_N_REPAIRS] = {
     [IL_REPAIR_REVERSED_RING]   = { "reversed_rings",   "ring turned round" },
     [IL_REPAIR_REORDERED_SLICE] = { "reordered_slices", "slice put into its place" },
     [IL_REPAIR_MERGED_SLICE]    = { "merged_slices",    "slice merged with one of its height" },
+    [IL_REPAIR_POINT_COUNT]     = { "wrong_point_counts", "contour that states a wrong number of points" },
+    [IL_REPAIR_FLATTENED_POINT] = { "flattened_points", "point moved into the plane of its contour" },
+    [IL_REPAIR_MOVED_CONTOUR]   = { "moved_contours",   "contour moved onto the plane of its slice" },
+    [IL_REPAIR_XOR_PAIR]        = { "xor_pairs",        "pair of equal XOR contours, which cancel" },
     [IL_REPAIR_ROUNDED_POINT]   = { "rounded_points",   "point rounded to 32-bit floats" },
 };
 
@@ -54,17 +58,30 @@ static char *printable_copy(const char *s)
     return il_strndup(text, n);
 }
 
-/* Count one more of a skip that is listed already. */
+/* Count as many more of a skip that is listed already. */
 static bool fold_skip(il_report *r, const il_skip *s)
 {
     for (size_t i = 0; i < r->n_skips; i++) {
         il_skip *old = &r->skip[i];
         if (strcmp(old->what, s->what) == 0 && strcmp(old->why, s->why) == 0 && strcmp(old->file, s->file) == 0) {
-            old->count++;
+            old->count += s->count;
             return true;
         }
     }
     return false;
+}
+
+/* List S, which is taken over, unless it is in the list or that is full. */
+static void keep_skip(il_report *r, il_skip *s)
+{
+    if (s->file && s->what && s->why && !fold_skip(r, s) && r->n_skips < IL_REPORT_SKIPS_KEPT &&
+        il_grow(&r->skip, &r->cap_skips, r->n_skips + 1, sizeof *r->skip)) {
+        r->skip[r->n_skips++] = *s;
+        return;
+    }
+    il_free(s->file);
+    il_free(s->what);
+    il_free(s->why);
 }
 
 void il_report_skip(il_report *r, const char *file, long line, const char *what, const char *why)
@@ -73,14 +90,7 @@ void il_report_skip(il_report *r, const char *file, long line, const char *what,
         return;
     r->n_skipped++;
     il_skip s = { printable_copy(file), line, printable_copy(what), printable_copy(why), 1 };
-    if (s.file && s.what && s.why && !fold_skip(r, &s) && r->n_skips < IL_REPORT_SKIPS_KEPT &&
-        il_grow(&r->skip, &r->cap_skips, r->n_skips + 1, sizeof *r->skip)) {
-        r->skip[r->n_skips++] = s;
-        return;
-    }
-    il_free(s.file);
-    il_free(s.what);
-    il_free(s.why);
+    keep_skip(r, &s);
 }
 
 void il_report_note(il_report *r, const char *format, ...)
@@ -103,6 +113,30 @@ void il_report_repair(il_report *r, il_repair what, size_t n)
 {
     if (r)
         r->repair[what] += n;
+}
+
+void il_report_merge(il_report *to, il_report *from)
+{
+    if (!to) {
+        il_report_free(from);
+        return;
+    }
+    to->n_skipped += from->n_skipped;
+    for (size_t i = 0; i < from->n_skips; i++)
+        keep_skip(to, &from->skip[i]);
+    from->n_skips = 0;
+    for (int i = 0; i < IL_N_REPAIRS; i++)
+        to->repair[i] += from->repair[i];
+    if (from->largest_move > to->largest_move)
+        to->largest_move = from->largest_move;
+    for (size_t i = 0; i < from->n_notes; i++) {
+        if (il_grow(&to->note, &to->cap_notes, to->n_notes + 1, sizeof *to->note))
+            to->note[to->n_notes++] = from->note[i];
+        else
+            il_free(from->note[i]);
+    }
+    from->n_notes = 0;
+    il_report_free(from);
 }
 
 /* Few formats say which way a ring runs, and SVG's y axis turns them all; a

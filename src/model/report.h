@@ -19,6 +19,10 @@ typedef enum il_repair {
     IL_REPAIR_REVERSED_RING,    /* turned so that the region lies on the left */
     IL_REPAIR_REORDERED_SLICE,  /* slices put into rising z */
     IL_REPAIR_MERGED_SLICE,     /* slices of one height made one */
+    IL_REPAIR_POINT_COUNT,      /* contours that state another number of points than they have */
+    IL_REPAIR_FLATTENED_POINT,  /* points moved into the plane of their contour */
+    IL_REPAIR_MOVED_CONTOUR,    /* contours moved onto the plane of their slice */
+    IL_REPAIR_XOR_PAIR,         /* equal contours of type CLOSEDPLANAR_XOR, which cancel */
     IL_REPAIR_ROUNDED_POINT,    /* coordinates rounded to 32-bit floats (STL) */
     IL_N_REPAIRS
 } il_repair;
@@ -40,7 +44,7 @@ enum { IL_REPORT_SKIPS_KEPT = 100 };
 
 typedef struct il_report {
     size_t repair[IL_N_REPAIRS];
-    double largest_move;        /* farthest a vertex was moved by rounding, unit */
+    double largest_move;        /* farthest a vertex was moved by rounding or into its plane, unit */
     il_skip *skip;
     size_t n_skips, cap_skips, n_skipped;
     char **note;                /* sentences such as "user units taken as mm" */
@@ -55,6 +59,9 @@ void il_report_free(il_report *r);
 void il_report_skip(il_report *r, const char *file, long line, const char *what, const char *why);
 void il_report_note(il_report *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void il_report_repair(il_report *r, il_repair what, size_t n);
+
+/* All of FROM is counted in TO as well; FROM is empty then. */
+void il_report_merge(il_report *to, il_report *from);
 
 /* Was anything wrong with the input: skipped or repaired?  (--strict)  Rings
  * turned round and pinches are told, but they are no faults. */

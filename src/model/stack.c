@@ -40,6 +40,7 @@ void il_stack_head_free(il_stack_head *h)
 {
     il_free(h->name);
     il_free(h->crs);
+    il_free(h->fault);
     for (size_t i = 0; i < h->n_attributes; i++) {
         il_free(h->attribute[i].key);
         il_free(h->attribute[i].value);
@@ -102,11 +103,12 @@ static bool copy_attributes(il_stack_head *to, const il_stack_head *from)
 il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err)
 {
     *to = *from;
-    to->name = to->crs = NULL;
+    to->name = to->crs = to->fault = NULL;
     to->attribute = NULL;
     to->n_attributes = to->cap_attributes = 0;
     to->extra = NULL;
     if (copy_text(&to->name, from->name) && copy_text(&to->crs, from->crs) &&
+        copy_text(&to->fault, from->fault) &&
         copy_attributes(to, from) && copy_extra(&to->extra, from->extra))
         return IL_OK;
     il_stack_head_free(to);

@@ -20,7 +20,10 @@ typedef struct il_attribute { char *key, *value; } il_attribute;
 
 /* What stands before the slices.  name: UTF-8 without NUL, "" when none; crs:
  * text or null.  frame: origin, x axis, y axis, z axis in world coordinates
- * (3 numbers each): a point (x, y, z) of the stack lies at o + x a + y b + z c. */
+ * (3 numbers each): a point (x, y, z) of the stack lies at o + x a + y b + z c.
+ * fault: why the reader could not make sense of the stack, null when it could;
+ * a stack with a fault has no slices.  usual_spacing: of the slices of the set
+ * that it came from, 0 when that is not known; for those that have no other. */
 typedef struct il_stack_head {
     char *name;
     char *crs;
@@ -30,6 +33,9 @@ typedef struct il_stack_head {
     il_kind kind;
     il_unit unit;
     double frame[12];
+    double usual_spacing;
+    char *fault;
+    long fault_line;
     il_attribute *attribute;
     size_t n_attributes, cap_attributes;
     il_extra *extra;

@@ -1,0 +1,493 @@
+/* rt-set.c - where the elements of a structure set go: PS3.3, C.8.8.5 (names),
+ * C.8.8.6 (contours) and C.8.8.8 (interpreted types). */
+#include "config.h"
+#include "input/rt-set.h"
+#include "base/alloc.h"
+#include "base/keymap.h"
+#include "base/number.h"
+#include "base/text.h"
+#include "input/charset.h"
+#include "input/rt-roi.h"
+#include "input/rt-stacks.h"
+#include "model/ring.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Where in the dataset the parser is: each list is a sequence, the place behind
+ * it one of its items. */
+typedef enum place {
+    PLACE_DATASET,
+    PLACE_ROI_LIST, PLACE_ROI,
+    PLACE_CONTOURS_LIST, PLACE_CONTOURS,
+    PLACE_CONTOUR_LIST, PLACE_CONTOUR,
+    PLACE_OBSERVATION_LIST, PLACE_OBSERVATION,
+    PLACE_OTHER_LIST, PLACE_OTHER
+} place;
+
+struct il_rt_set {
+    const char *file;
+    const il_read_options *options;
+    il_sink *sink;
+    il_report *report;
+    unsigned char *place;       /* open brackets, the innermost last */
+    size_t depth, cap_depth;
+    char *charset, *modality;
+    bool has_contours;          /* there is a sequence of contours, be it empty */
+    il_rt_roi *roi;             size_t n, cap;
+    il_keymap by_number;        /* ROI number -> index in roi */
+    il_rt_roi item;             /* of the item at hand */
+    il_rt_contour contour;      /* likewise */
+    char *kind;                 /* of the contour at hand: CLOSED_PLANAR, ... */
+    bool has_data, has_count;
+    size_t n_points;            /* that the file states for it */
+    double *xyz;                size_t cap_xyz; /* of the value at hand */
+};
+
+/* ---- texts and numbers --------------------------------------------------------- */
+
+/* Spaces at the ends mean nothing in DICOM (PS3.5, 6.2), and NUL fills up. */
+static void trim(const char **s, size_t *n)
+{
+    while (*n > 0 && ((*s)[*n - 1] == ' ' || (*s)[*n - 1] == '\0'))
+        (*n)--;
+    while (*n > 0 && **s == ' ')
+        (*s)++, (*n)--;
+}
+
+/* Replace *TO by the value in UTF-8; null when it is empty. */
+static il_status take_text(il_rt_set *s, char **to, const char *text, size_t n, bool is_utf8, il_error *err)
+{
+    il_free(*to);
+    *to = NULL;
+    trim(&text, &n);
+    if (n == 0)
+        return IL_OK;
+    if (is_utf8 && il_utf8_valid(text, n) && !memchr(text, '\0', n)) {
+        *to = il_strndup(text, n);
+        return *to ? IL_OK : il_fail_nomem(err);
+    }
+    const char *charset = is_utf8 ? "ISO_IR 192" : s->charset ? s->charset : "";
+    size_t n_out = 0, n_bad = 0;
+    bool known = true;
+    il_status st = il_charset_to_utf8(charset, strlen(charset), text, n, to, &n_out, &n_bad, &known, err);
+    if (st == IL_OK && !known)
+        il_report_note(&s->item.report, "the character set '%s' is not known; names are taken as UTF-8 or ISO-8859-1", charset);
+    if (st == IL_OK && n_bad > 0)
+        il_report_note(&s->item.report, "%zu bytes of '%s' are no characters of the file's character set", n_bad, *to);
+    return st;
+}
+
+static bool parse_whole(const char *text, size_t n, long *value)
+{
+    double v = 0;
+    trim(&text, &n);
+    if (n == 0 || il_number_parse(text, n, &v) != n || v != floor(v) || fabs(v) > INT_MAX)
+        return false;
+    *value = (long)v;
+    return true;
+}
+
+/* ---- elements ------------------------------------------------------------------- */
+
+typedef struct element {
+    const char *text;
+    size_t n;
+    bool is_utf8;
+    long line;
+} element;
+
+static il_status take_charset(il_rt_set *s, const element *e, il_error *err)
+{
+    il_free(s->charset);
+    s->charset = il_strndup(e->text, e->n);
+    return s->charset ? IL_OK : il_fail_nomem(err);
+}
+
+static il_status take_modality(il_rt_set *s, const element *e, il_error *err)
+{
+    return take_text(s, &s->modality, e->text, e->n, true, err);
+}
+
+static il_status take_number(il_rt_set *s, const element *e, il_error *err)
+{
+    (void)err;
+    s->item.has_number = parse_whole(e->text, e->n, &s->item.number);
+    return IL_OK;
+}
+
+static il_status take_name(il_rt_set *s, const element *e, il_error *err)
+{
+    return take_text(s, &s->item.name, e->text, e->n, e->is_utf8, err);
+}
+
+static il_status take_frame_uid(il_rt_set *s, const element *e, il_error *err)
+{
+    return take_text(s, &s->item.frame_uid, e->text, e->n, true, err);
+}
+
+static il_status take_algorithm(il_rt_set *s, const element *e, il_error *err)
+{
+    return take_text(s, &s->item.algorithm, e->text, e->n, true, err);
+}
+
+static il_status take_type(il_rt_set *s, const element *e, il_error *err)
+{
+    return take_text(s, &s->item.type, e->text, e->n, true, err);
+}
+
+/* Red, green and blue, 0 to 255. */
+static il_status take_color(il_rt_set *s, const element *e, il_error *err)
+{
+    const char *at = e->text, *end = e->text + e->n;
+    long part[3];
+    size_t n = 0;
+    (void)err;
+    for (; n < 3 && at <= end; n++) {
+        const char *stop = memchr(at, '\\', (size_t)(end - at));
+        stop = stop ? stop : end;
+        if (!parse_whole(at, (size_t)(stop - at), &part[n]) || part[n] < 0 || part[n] > 255)
+            break;
+        at = stop + 1;
+    }
+    s->item.has_color = n == 3 && at > end;
+    for (size_t k = 0; k < 3 && s->item.has_color; k++)
+        s->item.color[k] = (unsigned char)part[k];
+    if (!s->item.has_color && e->n > 0)
+        il_report_skip(&s->item.report, s->file, e->line, "ROIDisplayColor", "not three numbers from 0 to 255");
+    return IL_OK;
+}
+
+static il_status take_kind(il_rt_set *s, const element *e, il_error *err)
+{
+    return take_text(s, &s->kind, e->text, e->n, true, err);
+}
+
+static il_status take_count(il_rt_set *s, const element *e, il_error *err)
+{
+    long n = 0;
+    (void)err;
+    s->has_count = parse_whole(e->text, e->n, &n) && n >= 0;
+    s->n_points = s->has_count ? (size_t)n : 0;
+    return IL_OK;
+}
+
+/* The numbers of a value to s->xyz; *N of them.  One that is no finite number
+ * below 1e15 makes the ROI unfit: half a contour is a wrong one. */
+static il_status parse_numbers(il_rt_set *s, const element *e, size_t *n, il_error *err)
+{
+    const char *at = e->text, *end = e->text + e->n;
+    for (*n = 0; at < end || (at == end && *n > 0); (*n)++) {
+        double value = 0;
+        while (at < end && *at == ' ')
+            at++;
+        size_t used = il_number_parse(at, (size_t)(end - at), &value);
+        const char *stop = at + used;
+        while (stop < end && (*stop == ' ' || *stop == '\0'))
+            stop++;
+        if (used == 0 || (stop < end && *stop != '\\') || !(fabs(value) < IL_COORDINATE_BOUND)) {
+            const char *next = memchr(at, '\\', (size_t)(end - at));
+            size_t length = next ? (size_t)(next - at) : (size_t)(end - at);
+            il_rt_roi_fail(&s->item, e->line, "value %zu of the contour data, '%.*s', is no number below 1e15",
+                           *n + 1, (int)(length < 40 ? length : 40), at);
+            return IL_OK;
+        }
+        if (!il_grow(&s->xyz, &s->cap_xyz, *n + 1, sizeof *s->xyz))
+            return il_fail_nomem(err);
+        s->xyz[*n] = value;
+        at = stop + 1;
+    }
+    return IL_OK;
+}
+
+static il_status take_data(il_rt_set *s, const element *e, il_error *err)
+{
+    size_t n = 0;
+    il_rt_contour_free(&s->contour);
+    il_status st = parse_numbers(s, e, &n, err);
+    if (st != IL_OK || s->item.fault)
+        return st;
+    if (n % 3 != 0)
+        il_rt_roi_fail(&s->item, e->line, "the contour data has %zu values, which is no multiple of 3", n);
+    s->has_data = n > 0;
+    s->contour.line = e->line;
+    return s->item.fault ? IL_OK : il_rt_contour_from_points(&s->contour, s->xyz, n / 3, err);
+}
+
+static const struct wanted {
+    place place;
+    uint32_t tag;
+    il_status (*take)(il_rt_set *s, const element *e, il_error *err);
+} elements[] = {
+    { PLACE_CONTOUR, IL_TAG(0x3006, 0x0050), take_data },
+    { PLACE_CONTOUR, IL_TAG(0x3006, 0x0042), take_kind },
+    { PLACE_CONTOUR, IL_TAG(0x3006, 0x0046), take_count },
+    { PLACE_CONTOURS, IL_TAG(0x3006, 0x002a), take_color },
+    { PLACE_CONTOURS, IL_TAG(0x3006, 0x0084), take_number },
+    { PLACE_ROI, IL_TAG(0x3006, 0x0022), take_number },
+    { PLACE_ROI, IL_TAG(0x3006, 0x0024), take_frame_uid },
+    { PLACE_ROI, IL_TAG(0x3006, 0x0026), take_name },
+    { PLACE_ROI, IL_TAG(0x3006, 0x0036), take_algorithm },
+    { PLACE_OBSERVATION, IL_TAG(0x3006, 0x0084), take_number },
+    { PLACE_OBSERVATION, IL_TAG(0x3006, 0x00a4), take_type },
+    { PLACE_DATASET, IL_TAG(0x0008, 0x0005), take_charset },
+    { PLACE_DATASET, IL_TAG(0x0008, 0x0060), take_modality },
+};
+
+static place innermost(const il_rt_set *s)
+{
+    return s->depth > 0 ? (place)s->place[s->depth - 1] : PLACE_OTHER;
+}
+
+static const struct wanted *find_wanted(const il_rt_set *s, uint32_t tag)
+{
+    place at = innermost(s);
+    for (size_t i = 0; i < sizeof elements / sizeof *elements && at != PLACE_OTHER; i++)
+        if (elements[i].tag == tag && elements[i].place == at)
+            return &elements[i];
+    return NULL;
+}
+
+bool il_rt_set_wants(const il_rt_set *s, uint32_t tag)
+{
+    return find_wanted(s, tag) != NULL;
+}
+
+il_status il_rt_set_element(il_rt_set *s, uint32_t tag, const char *text, size_t n, bool is_utf8,
+                            long line, il_error *err)
+{
+    const struct wanted *w = find_wanted(s, tag);
+    element e = { text, n, is_utf8, line };
+    return w ? w->take(s, &e, err) : IL_OK;
+}
+
+/* ---- items that are complete ------------------------------------------------------ */
+
+static il_status end_contour(il_rt_set *s, il_error *err)
+{
+    bool is_xor = s->kind && strcmp(s->kind, "CLOSEDPLANAR_XOR") == 0;
+    bool is_closed = !s->kind || is_xor || strcmp(s->kind, "CLOSED_PLANAR") == 0;
+    char what[80];
+    s->contour.is_xor = is_xor;
+    if (!is_closed) {
+        snprintf(what, sizeof what, "%.40s contour", s->kind);
+        il_report_skip(&s->item.report, s->file, s->contour.line, what, "it bounds no area: CLOSED_PLANAR does");
+    } else if (!s->has_data) {
+        il_report_skip(&s->item.report, s->file, s->contour.line, "contour", "it has no points");
+    } else if (s->contour.n < 3) {
+        snprintf(what, sizeof what, "contour of %zu point%s", s->contour.n, s->contour.n == 1 ? "" : "s");
+        il_report_skip(&s->item.report, s->file, s->contour.line, what, "it bounds no area");
+    } else {
+        if (s->has_count && s->n_points != s->contour.n)
+            il_report_repair(&s->item.report, IL_REPAIR_POINT_COUNT, 1);
+        if (!il_rt_roi_add(&s->item, &s->contour))
+            return il_fail_nomem(err);
+    }
+    il_rt_contour_free(&s->contour);
+    return IL_OK;
+}
+
+static il_rt_roi *find_roi(il_rt_set *s, long number)
+{
+    uint32_t k = il_keymap_get(&s->by_number, (uint64_t)number, 0, UINT32_MAX);
+    return k == UINT32_MAX ? NULL : &s->roi[k];
+}
+
+/* Append the item at hand to the ROIs. */
+static il_status add_item(il_rt_set *s, il_error *err)
+{
+    if (!il_grow(&s->roi, &s->cap, s->n + 1, sizeof *s->roi))
+        return il_fail_nomem(err);
+    if (s->item.has_number && !il_keymap_put(&s->by_number, (uint64_t)s->item.number, 0, (uint32_t)s->n))
+        return il_fail_nomem(err);
+    s->roi[s->n++] = s->item;
+    s->item = (il_rt_roi){ .report = IL_REPORT_INIT };
+    return IL_OK;
+}
+
+static il_status end_roi(il_rt_set *s, il_error *err)
+{
+    il_rt_roi *old = s->item.has_number ? find_roi(s, s->item.number) : NULL;
+    if (!old)
+        return add_item(s, err);
+    il_report_note(&old->report, "ROI number %ld is given twice; the first name stands", s->item.number);
+    return il_rt_roi_merge(old, &s->item, err);
+}
+
+static il_status end_contours(il_rt_set *s, il_error *err)
+{
+    il_rt_roi *roi = s->item.has_number ? find_roi(s, s->item.number) : NULL;
+    if (roi && roi->n > 0 && s->item.n > 0)
+        il_report_note(&roi->report, "its contours stand in several places of the file");
+    if (roi)
+        return il_rt_roi_merge(roi, &s->item, err);
+    if (s->item.has_number)
+        il_report_note(&s->item.report, "no ROI has number %ld, so these contours have no name", s->item.number);
+    else
+        il_report_note(&s->item.report, "these contours name no ROI");
+    return add_item(s, err);
+}
+
+static il_status end_observation(il_rt_set *s, il_error *err)
+{
+    il_rt_roi *roi = s->item.has_number ? find_roi(s, s->item.number) : NULL;
+    if (roi)
+        return il_rt_roi_merge(roi, &s->item, err);
+    il_rt_roi_free(&s->item);
+    return IL_OK;
+}
+
+/* ---- brackets ---------------------------------------------------------------------- */
+
+static il_status push(il_rt_set *s, place at, long line, il_error *err)
+{
+    if (s->depth > s->options->max_depth)
+        return il_fail(err, IL_E_INPUT, line, "sequences nested more than %zu deep", s->options->max_depth);
+    if (!il_grow(&s->place, &s->cap_depth, s->depth + 1, 1))
+        return il_fail_nomem(err);
+    s->place[s->depth++] = (unsigned char)at;
+    return IL_OK;
+}
+
+static bool is_list(place at)
+{
+    return at != PLACE_DATASET && at % 2 == 1;
+}
+
+static void forget_dataset(il_rt_set *s)
+{
+    for (size_t i = 0; i < s->n; i++)
+        il_rt_roi_free(&s->roi[i]);
+    il_rt_roi_free(&s->item);
+    il_rt_contour_free(&s->contour);
+    il_keymap_free(&s->by_number);
+    il_free(s->charset);
+    il_free(s->modality);
+    il_free(s->kind);
+    s->charset = s->modality = s->kind = NULL;
+    s->n = s->depth = 0;
+    s->has_contours = false;
+}
+
+il_status il_rt_set_begin_dataset(il_rt_set *s, long line, il_error *err)
+{
+    forget_dataset(s);
+    return push(s, PLACE_DATASET, line, err);
+}
+
+il_status il_rt_set_begin_sequence(il_rt_set *s, uint32_t tag, long line, il_error *err)
+{
+    static const struct { place in; uint32_t tag; place list; } lists[] = {
+        { PLACE_DATASET, IL_TAG(0x3006, 0x0020), PLACE_ROI_LIST },
+        { PLACE_DATASET, IL_TAG(0x3006, 0x0039), PLACE_CONTOURS_LIST },
+        { PLACE_CONTOURS, IL_TAG(0x3006, 0x0040), PLACE_CONTOUR_LIST },
+        { PLACE_DATASET, IL_TAG(0x3006, 0x0080), PLACE_OBSERVATION_LIST } };
+    if (s->depth == 0 || is_list(innermost(s)))
+        return il_fail(err, IL_E_INPUT, line, "a sequence outside of an item");
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
+        if (lists[i].in != innermost(s) || lists[i].tag != tag)
+            continue;
+        s->has_contours |= lists[i].list == PLACE_CONTOURS_LIST;
+        return push(s, lists[i].list, line, err);
+    }
+    return push(s, PLACE_OTHER_LIST, line, err);
+}
+
+il_status il_rt_set_begin_item(il_rt_set *s, long line, il_error *err)
+{
+    if (s->depth == 0 || !is_list(innermost(s)))
+        return il_fail(err, IL_E_INPUT, line, "an item outside of a sequence");
+    place at = (place)(innermost(s) + 1);
+    if (at == PLACE_ROI || at == PLACE_CONTOURS || at == PLACE_OBSERVATION) {
+        il_rt_roi_free(&s->item);
+        s->item.line = line;
+    } else if (at == PLACE_CONTOUR) {
+        il_rt_contour_free(&s->contour);
+        il_free(s->kind);
+        s->kind = NULL;
+        s->has_data = s->has_count = false;
+        s->contour.line = line;
+    }
+    return push(s, at, line, err);
+}
+
+il_status il_rt_set_end_item(il_rt_set *s, long line, il_error *err)
+{
+    place at = innermost(s);
+    if (s->depth < 2 || is_list(at))
+        return il_fail(err, IL_E_INPUT, line, "the end of an item that did not begin");
+    s->depth--;
+    switch (at) {
+    case PLACE_ROI:         return end_roi(s, err);
+    case PLACE_CONTOURS:    return end_contours(s, err);
+    case PLACE_CONTOUR:     return end_contour(s, err);
+    case PLACE_OBSERVATION: return end_observation(s, err);
+    default:                return IL_OK;
+    }
+}
+
+il_status il_rt_set_end_sequence(il_rt_set *s, long line, il_error *err)
+{
+    if (s->depth < 2 || !is_list(innermost(s)))
+        return il_fail(err, IL_E_INPUT, line, "the end of a sequence that did not begin");
+    s->depth--;
+    return IL_OK;
+}
+
+il_status il_rt_set_end_dataset(il_rt_set *s, long line, il_error *err)
+{
+    if (s->depth != 1)
+        return il_fail(err, IL_E_INPUT, line, "the file ends inside a sequence: it was cut");
+    if (s->n == 0 && !s->has_contours && s->modality && strcmp(s->modality, "RTSTRUCT") != 0)
+        return il_fail(err, IL_E_INPUT, line, "a DICOM file of modality %.20s; contours are in structure sets (RTSTRUCT)", s->modality);
+    if (s->n == 0 && !s->has_contours)
+        return il_fail(err, IL_E_INPUT, line, "there are no ROIs in this DICOM file: it is no structure set");
+    il_status st = il_rt_stacks_emit(s->roi, s->n, s->file, s->options, s->sink, s->report, err);
+    forget_dataset(s);
+    return st;
+}
+
+/* ---- the set -------------------------------------------------------------------------- */
+
+il_status il_rt_set_new(il_rt_set **out, const char *file, const il_read_options *options,
+                        il_sink *sink, il_report *report, il_error *err)
+{
+    il_rt_set *s = il_calloc(1, sizeof *s);
+    *out = s;
+    if (!s)
+        return il_fail_nomem(err);
+    s->file = file;
+    s->options = options;
+    s->sink = sink;
+    s->report = report;
+    return IL_OK;
+}
+
+void il_rt_set_free(il_rt_set *s)
+{
+    if (!s)
+        return;
+    forget_dataset(s);
+    il_free(s->roi);
+    il_free(s->place);
+    il_free(s->xyz);
+    il_free(s);
+}
+
+il_status il_rt_read(il_rt_parse *parse, il_source *const *source, size_t n, const il_read_options *options,
+                     il_sink *sink, il_report *report, il_error *err)
+{
+    il_status st = IL_OK;
+    for (size_t i = 0; st == IL_OK && i < n; i++) {
+        il_rt_set *set = NULL;
+        st = il_rt_set_new(&set, il_source_name(source[i]), options, sink, report, err);
+        if (st == IL_OK)
+            st = parse(source[i], set, options, err);
+        if (st == IL_E_INPUT)
+            il_error_set_file(err, il_source_name(source[i]));
+        il_rt_set_free(set);
+    }
+    return st == IL_OK ? sink->end(sink, err) : st;
+}

@@ -196,11 +196,8 @@ static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_err
     il_status st = open_record(a, head, err);
     if (st != IL_OK)
         return st;
-    if (head->fault)
-        st = il_fail(err, IL_E_INPUT, head->fault_line, "stack '%.80s': %s", il_stack_head_name(head), head->fault);
-    else
-        st = a->next->stack_begin(a->next, head, err);
-    return settle(a, st, err);
+    st = il_stack_head_refuse_fault(head, err);
+    return settle(a, st == IL_OK ? a->next->stack_begin(a->next, head, err) : st, err);
 }
 
 static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 /* mm; slices nearer than this to one another are not drawn on patients. */
-static const double JITTER_MOST = 0.2;
+static const double JITTER_MOST = 0.05;
 
 /* Planes nearer than this share of the spacing are one slice. */
 static const double SLICE_SHARE = 0.1;
@@ -37,8 +37,8 @@ static size_t first_real(const double *d, size_t m, const double *level, size_t 
     size_t jitters = m;
     while (jitters > 0 && d[jitters - 1] > JITTER_MOST)
         jitters--;
-    if (jitters == m && m > 0 && level[n - 1] - level[0] <= SLICE_SHARE)
-        return m; /* one plane: all within a tenth of a millimetre */
+    if (jitters == m && m > 0 && level[n - 1] - level[0] <= 2 * JITTER_MOST)
+        return m; /* one plane */
     for (size_t k = jitters; k > 0; k--)
         if (k < m && d[k] * SLICE_SHARE >= d[k - 1] && are_clumps(level, n, d[k - 1], SLICE_SHARE * d[k]))
             return k;

@@ -7,7 +7,7 @@
 /* How far apart the slices usually are, mm: the median of the distances of
  * neighbouring levels LEVEL[0..N), rising, without those that are no more than
  * jitter.  Planning systems write the heights of one plane a few micrometres,
- * or a decimal, apart.  Distances are jitter when they are at most 0.2 mm, ten
+ * or a decimal, apart.  Distances are jitter when they are at most 0.05 mm, ten
  * times less than all others, and group the levels into clumps not wider than a
  * tenth of any other.  With one clump there is no spacing: 0.
  * SCRATCH[n] is overwritten. */

@@ -61,6 +61,7 @@ static il_rt_plane plane_across(const double c[3], size_t nearest)
         p.a[k] = (k == next) - p.c[next] * p.c[k];
     scale_to_unit(p.a);
     cross(p.c, p.a, p.b);
+    p.b[next] = 0; /* what is left there is rounding */
     return p;
 }
 
@@ -86,16 +87,40 @@ static size_t dominant_direction(double m[3][3], double c[3])
     return fabs(c[2]) >= fabs(c[nearest]) ? 2 : nearest;
 }
 
-il_rt_plane il_rt_plane_fit(const il_rt_contour *contour, size_t n)
+/* How far apart the points of C are along the unit vector U. */
+static double spread_along(const il_rt_contour *c, const double u[3], double *least)
 {
-    double m[3][3] = { { 0 } }, c[3];
+    double most = -INFINITY;
+    *least = INFINITY;
+    for (size_t i = 0; i < c->n; i++) {
+        double p[3];
+        il_rt_contour_point(c, i, p);
+        *least = fmin(*least, dot(u, p));
+        most = fmax(most, dot(u, p));
+    }
+    return most - *least;
+}
+
+il_rt_plane il_rt_plane_fit(const il_rt_contour *contour, size_t n, double flat)
+{
+    double m[3][3] = { { 0 } }, straight[3] = { 0 }, all = 0, c[3], least;
     for (size_t i = 0; i < n; i++) {
-        double v[3];
+        double v[3], u[3];
         area_vector(&contour[i], v);
         double length = sqrt(dot(v, v));
-        for (size_t j = 0; j < 9 && length > 0; j++)
-            m[j / 3][j % 3] += v[j / 3] * v[j % 3] / length;
+        all += length;
+        if (contour[i].layout != IL_RT_OBLIQUE)
+            straight[contour[i].layout] += length;
+        for (size_t k = 0; k < 3 && length > 0; k++)
+            u[k] = v[k] / length;
+        if (!(length > 0) || (contour[i].layout == IL_RT_OBLIQUE && spread_along(&contour[i], u, &least) > flat))
+            continue;
+        for (size_t j = 0; j < 9; j++)
+            m[j / 3][j % 3] += v[j / 3] * u[j % 3];
     }
+    for (size_t k = 3; k-- > 0;)
+        if (straight[k] >= all / 2)
+            return plane_across_axis(k);
     double trace = m[0][0] + m[1][1] + m[2][2];
     if (!(trace > 0) || !isfinite(trace))
         return plane_across_axis(2);
@@ -106,18 +131,11 @@ il_rt_plane il_rt_plane_fit(const il_rt_contour *contour, size_t n)
 
 double il_rt_plane_level(const il_rt_plane *p, const il_rt_contour *c, double *spread)
 {
-    double least = INFINITY, most = -INFINITY;
+    double least;
     *spread = 0;
     if (c->layout == p->layout && c->layout != IL_RT_OBLIQUE)
         return c->level;
-    for (size_t i = 0; i < c->n; i++) {
-        double at[3];
-        il_rt_contour_point(c, i, at);
-        double level = p->layout == IL_RT_OBLIQUE ? dot(p->c, at) : at[p->layout];
-        least = fmin(least, level);
-        most = fmax(most, level);
-    }
-    *spread = most - least;
+    *spread = spread_along(c, p->c, &least);
     return least + *spread / 2;
 }
 

@@ -12,12 +12,13 @@ typedef struct il_rt_plane {
     double a[3], b[3], c[3];
 } il_rt_plane;
 
-/* The direction that most of the contours' area faces: the eigenvector to the
- * largest eigenvalue of the sum of n n' / |n| over their area vectors n (Newell's
- * sums).  One within a thousandth of an axis is that axis, so that axial,
- * sagittal and coronal contours keep their coordinates bit for bit.  The axial
- * plane for contours without area. */
-il_rt_plane il_rt_plane_fit(const il_rt_contour *contour, size_t n);
+/* The planes of N contours.  An axis that half of the contours' area, or more,
+ * lies straight across is taken, so that axial, sagittal and coronal contours
+ * keep their coordinates bit for bit.  Else it is the eigenvector to the largest
+ * eigenvalue of the sum of n n' / |n| over the area vectors n (Newell's sums) of
+ * all contours that are plane within FLAT; one within a thousandth of an axis is
+ * that axis.  The axial plane for contours without area. */
+il_rt_plane il_rt_plane_fit(const il_rt_contour *contour, size_t n, double flat);
 
 /* Where C lies along P's normal, mm: the middle of its points, and in *SPREAD how
  * far apart they are that way. */

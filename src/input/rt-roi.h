@@ -33,9 +33,10 @@ il_status il_rt_contour_from_points(il_rt_contour *c, const double *xyz, size_t 
 void il_rt_contour_point(const il_rt_contour *c, size_t i, double xyz[3]);
 
 /* Texts are UTF-8, owned, and null where the file says nothing.  fault: why the
- * ROI cannot be had, null when it can.  report: what was skipped of it. */
+ * ROI cannot be had, null when it can.  report: what was skipped of it.
+ * is_listed: the list of ROIs has it, and not only that of contours. */
 typedef struct il_rt_roi {
-    bool has_number, has_color;
+    bool has_number, has_color, is_listed;
     long number;
     unsigned char color[3];
     char *name, *algorithm, *type, *frame_uid, *fault;

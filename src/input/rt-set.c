@@ -35,7 +35,7 @@ struct il_rt_set {
     unsigned char *place;       /* open brackets, the innermost last */
     size_t depth, cap_depth;
     char *charset, *modality;
-    bool has_contours;          /* there is a sequence of contours, be it empty */
+    bool has_list, has_contours, has_observations; /* there are these sequences, be they empty */
     il_rt_roi *roi;             size_t n, cap;
     il_keymap by_number;        /* ROI number -> index in roi */
     il_rt_roi item;             /* of the item at hand */
@@ -310,9 +310,11 @@ static il_status add_item(il_rt_set *s, il_error *err)
 static il_status end_roi(il_rt_set *s, il_error *err)
 {
     il_rt_roi *old = s->item.has_number ? find_roi(s, s->item.number) : NULL;
+    s->item.is_listed = true;
     if (!old)
         return add_item(s, err);
-    il_report_note(&old->report, "ROI number %ld is given twice; the first name stands", s->item.number);
+    if (old->is_listed)
+        il_report_note(&old->report, "ROI number %ld is given twice; the first name stands", s->item.number);
     return il_rt_roi_merge(old, &s->item, err);
 }
 
@@ -321,13 +323,7 @@ static il_status end_contours(il_rt_set *s, il_error *err)
     il_rt_roi *roi = s->item.has_number ? find_roi(s, s->item.number) : NULL;
     if (roi && roi->n > 0 && s->item.n > 0)
         il_report_note(&roi->report, "its contours stand in several places of the file");
-    if (roi)
-        return il_rt_roi_merge(roi, &s->item, err);
-    if (s->item.has_number)
-        il_report_note(&s->item.report, "no ROI has number %ld, so these contours have no name", s->item.number);
-    else
-        il_report_note(&s->item.report, "these contours name no ROI");
-    return add_item(s, err);
+    return roi ? il_rt_roi_merge(roi, &s->item, err) : add_item(s, err);
 }
 
 static il_status end_observation(il_rt_set *s, il_error *err)
@@ -368,7 +364,7 @@ static void forget_dataset(il_rt_set *s)
     il_free(s->kind);
     s->charset = s->modality = s->kind = NULL;
     s->n = s->depth = 0;
-    s->has_contours = false;
+    s->has_list = s->has_contours = s->has_observations = false;
 }
 
 il_status il_rt_set_begin_dataset(il_rt_set *s, long line, il_error *err)
@@ -389,7 +385,9 @@ il_status il_rt_set_begin_sequence(il_rt_set *s, uint32_t tag, long line, il_err
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
         if (lists[i].in != innermost(s) || lists[i].tag != tag)
             continue;
+        s->has_list |= lists[i].list == PLACE_ROI_LIST;
         s->has_contours |= lists[i].list == PLACE_CONTOURS_LIST;
+        s->has_observations |= lists[i].list == PLACE_OBSERVATION_LIST;
         return push(s, lists[i].list, line, err);
     }
     return push(s, PLACE_OTHER_LIST, line, err);
@@ -436,14 +434,33 @@ il_status il_rt_set_end_sequence(il_rt_set *s, long line, il_error *err)
     return IL_OK;
 }
 
+/* What is odd about the set as a whole is told with the ROI it befalls. */
+static void add_notes(il_rt_set *s)
+{
+    for (size_t k = 0; k < s->n; k++) {
+        il_rt_roi *r = &s->roi[k];
+        if (!r->is_listed && r->has_number)
+            il_report_note(&r->report, "no ROI has number %ld, so these contours have no name", r->number);
+        else if (!r->is_listed)
+            il_report_note(&r->report, "these contours name no ROI");
+    }
+    if (s->n > 0 && !s->has_observations)
+        il_report_note(&s->roi[0].report, "the observations (3006,0080) are missing: no ROI of the set has a type");
+}
+
 il_status il_rt_set_end_dataset(il_rt_set *s, long line, il_error *err)
 {
     if (s->depth != 1)
         return il_fail(err, IL_E_INPUT, line, "the file ends inside a sequence: it was cut");
-    if (s->n == 0 && !s->has_contours && s->modality && strcmp(s->modality, "RTSTRUCT") != 0)
+    bool has_any = s->has_list || s->has_contours;
+    if (!has_any && s->modality && strcmp(s->modality, "RTSTRUCT") != 0)
         return il_fail(err, IL_E_INPUT, line, "a DICOM file of modality %.20s; contours are in structure sets (RTSTRUCT)", s->modality);
-    if (s->n == 0 && !s->has_contours)
+    if (!has_any)
         return il_fail(err, IL_E_INPUT, line, "there are no ROIs in this DICOM file: it is no structure set");
+    if (!s->has_list || !s->has_contours)
+        return il_fail(err, IL_E_INPUT, line, "the %s are missing: the file was cut",
+                       s->has_list ? "contours (3006,0039)" : "names of the ROIs (3006,0020)");
+    add_notes(s);
     il_status st = il_rt_stacks_emit(s->roi, s->n, s->file, s->options, s->sink, s->report, err);
     forget_dataset(s);
     return st;

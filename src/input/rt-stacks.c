@@ -71,7 +71,7 @@ static il_status survey(emission *e, const il_rt_roi *r, il_error *err)
 {
     if (!make_room(e, r->n))
         return il_fail_nomem(err);
-    e->plane = il_rt_plane_fit(r->contour, r->n);
+    e->plane = il_rt_plane_fit(r->contour, r->n, 2 * FLAT_MM);
     e->n_lies = 0;
     for (size_t i = 0; i < r->n; i++) {
         lie *l = &e->lie[e->n_lies];

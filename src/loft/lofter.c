@@ -138,7 +138,9 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     l->n_slices = 0;
     l->n_slabs = 0;
     il_emitter_begin(&l->emitter, l->next, l->stack, l->options.cap == IL_CAP_FLAT);
-    il_status st = il_stack_head_copy(&l->head, head, err);
+    il_status st = il_stack_head_refuse_fault(head, err);
+    if (st == IL_OK)
+        st = il_stack_head_copy(&l->head, head, err);
     if (st == IL_OK && head->kind == IL_KIND_TERRAIN)
         st = il_fail(err, IL_E_INPUT, head->line, "stack \"%.60s\": this version makes no surface of terrain", il_stack_head_name(head));
     if (st == IL_OK)

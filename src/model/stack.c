@@ -65,6 +65,13 @@ const char *il_stack_head_name(const il_stack_head *h)
     return h->name ? h->name : "";
 }
 
+il_status il_stack_head_refuse_fault(const il_stack_head *h, il_error *err)
+{
+    if (!h->fault)
+        return IL_OK;
+    return il_fail(err, IL_E_INPUT, h->fault_line, "stack '%.80s': %s", il_stack_head_name(h), h->fault);
+}
+
 /* Null stays null. */
 static bool copy_text(char **to, const char *from)
 {

@@ -49,6 +49,9 @@ void il_stack_head_free(il_stack_head *h);
 il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err);
 /* Replace the name by the N bytes at S. */
 bool il_stack_head_set_name(il_stack_head *h, const char *s, size_t n);
+/* IL_E_INPUT with its fault's words and line when it has one; whoever makes
+ * something of a stack asks first. */
+il_status il_stack_head_refuse_fault(const il_stack_head *h, il_error *err);
 /* The name, and "" when it has none. */
 const char *il_stack_head_name(const il_stack_head *h);
 

@@ -1,0 +1,10 @@
+/* fuzz_dcmdump.c - the text of dcmdump, as structure-set.h has it. */
+#include "config.h"
+#include "structure-set.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
+{
+    return fuzz_structure_set(&il_reader_dcmdump, data, n);
+}

@@ -69,7 +69,7 @@ static void copy_levels(emission *e)
  * plane are left out of the spacing. */
 static il_status survey(emission *e, const il_rt_roi *r, il_error *err)
 {
-    if (!make_room(e, r->n))
+    if (!make_room(e, r->n + 1)) /* one more, so that there is something to sort */
         return il_fail_nomem(err);
     e->plane = il_rt_plane_fit(r->contour, r->n, 2 * FLAT_MM);
     e->n_lies = 0;

@@ -12,7 +12,8 @@
  * to be freed by il_free; *N_OUT is its length.  With code extensions (DICOM
  * PS3.3 C.12.1.1.2, PS3.5 6.1.2.5; ISO/IEC 2022) escape sequences switch sets.
  * A byte that the set has no character for becomes U+FFFD, and so does NUL;
- * *N_BAD (may be null) counts these.  An unknown set: *KNOWN is false, and the bytes are taken as
+ * *N_BAD (may be null) counts these.  An unknown set, or one that iconv does not
+ * have on this system: *KNOWN is false, and the bytes are taken as
  * UTF-8 where they are that, else as ISO-8859-1.  IL_E_NOMEM. */
 il_status il_charset_to_utf8(const char *defined, size_t n_defined, const char *text, size_t n,
                              char **out, size_t *n_out, size_t *n_bad, bool *known, il_error *err);

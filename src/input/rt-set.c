@@ -36,6 +36,7 @@ struct il_rt_set {
     size_t depth, cap_depth;
     char *charset, *modality;
     bool has_list, has_contours, has_observations; /* there are these sequences, be they empty */
+    bool is_charset_noted;      /* that it is unknown has been told */
     il_rt_roi *roi;             size_t n, cap;
     il_keymap by_number;        /* ROI number -> index in roi */
     il_rt_roi item;             /* of the item at hand */
@@ -57,6 +58,14 @@ static void trim(const char **s, size_t *n)
         (*s)++, (*n)--;
 }
 
+static bool is_ascii(const char *s, size_t n)
+{
+    size_t i = 0;
+    while (i < n && !((unsigned char)s[i] & 0x80))
+        i++;
+    return i == n;
+}
+
 /* Replace *TO by the value in UTF-8; null when it is empty. */
 static il_status take_text(il_rt_set *s, char **to, const char *text, size_t n, bool is_utf8, il_error *err)
 {
@@ -73,8 +82,10 @@ static il_status take_text(il_rt_set *s, char **to, const char *text, size_t n, 
     size_t n_out = 0, n_bad = 0;
     bool known = true;
     il_status st = il_charset_to_utf8(charset, strlen(charset), text, n, to, &n_out, &n_bad, &known, err);
-    if (st == IL_OK && !known)
-        il_report_note(&s->item.report, "the character set '%s' is not known; names are taken as UTF-8 or ISO-8859-1", charset);
+    if (st == IL_OK && !known && !s->is_charset_noted && !is_ascii(text, n)) {
+        s->is_charset_noted = true;
+        il_report_note(s->report, "the character set '%s' is not known; names are taken as UTF-8 or ISO-8859-1", charset);
+    }
     if (st == IL_OK && n_bad > 0)
         il_report_note(&s->item.report, "%zu bytes of '%s' are no characters of the file's character set", n_bad, *to);
     return st;
@@ -364,7 +375,7 @@ static void forget_dataset(il_rt_set *s)
     il_free(s->kind);
     s->charset = s->modality = s->kind = NULL;
     s->n = s->depth = 0;
-    s->has_list = s->has_contours = s->has_observations = false;
+    s->has_list = s->has_contours = s->has_observations = s->is_charset_noted = false;
 }
 
 il_status il_rt_set_begin_dataset(il_rt_set *s, long line, il_error *err)

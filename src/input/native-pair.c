@@ -1,4 +1,4 @@
-/* native-pair.c - pair records of the native format (formats/loft.txt, 8). */
+/* native-pair.c - pair and gap records of the native format (formats/loft.txt, 8). */
 #include "config.h"
 #include "input/native.h"
 #include "base/alloc.h"
@@ -17,17 +17,26 @@ enum {
 
 /* ---- the record ---------------------------------------------------------------- */
 
+/* A pair or gap stands right behind the upper of its two slices, which is whole
+ * then and handed on. */
+static il_status begin_record(il_native *n, const char *word)
+{
+    if (n->slices < 2)
+        return il_native_fail(n, "a %s cannot stand behind the first slice of its stack", word);
+    if (n->pair_done)
+        return il_native_fail(n, "a %s cannot stand here: these two slices have a pair or gap already", word);
+    il_status st = il_native_flush_slice(n);
+    il_pair_free(&n->pair);
+    n->pair_done = true;
+    n->extra = &n->pair.extra;
+    n->pair.line = n->at.line;
+    return st;
+}
+
 /* Indices mean something only where both slices are as the canonical form has
  * them: see the format, section 8. */
 static il_status check_slices(il_native *n)
 {
-    if (n->slices < 2)
-        return il_native_fail(n, "a pair cannot stand behind the first slice of its stack");
-    if (n->pair_done)
-        return il_native_fail(n, "a second pair for the same slices");
-    il_status st = il_native_flush_slice(n);
-    if (st != IL_OK)
-        return st;
     if (!n->lower.all_rings || !n->upper.all_rings)
         return il_native_fail(n, "a pair cannot stand by a slice with open lines or rings of less than 3 vertices");
     if (!n->lower.in_order || !n->upper.in_order)
@@ -43,16 +52,14 @@ static void forget_groups(il_native_shape *s)
 
 static il_status take_pair(il_native *n)
 {
-    il_status st = check_slices(n);
+    il_status st = begin_record(n, "pair");
+    if (st == IL_OK)
+        st = check_slices(n);
     if (st != IL_OK)
         return st;
-    il_pair_free(&n->pair);
     forget_groups(&n->lower);
     forget_groups(&n->upper);
     n->in = IL_IN_PAIR;
-    n->pair_done = true;
-    n->extra = &n->pair.extra;
-    n->pair.line = n->at.line;
     n->has_matcher = false;
     n->rows = 0;
     n->phi_rings = 0;
@@ -95,6 +102,21 @@ il_status il_native_close_pair(il_native *n)
                      (unsigned long)n->phi_rings, n->upper.n);
     else
         st = n->sink->pair(n->sink, &n->pair, n->err);
+    il_pair_free(&n->pair);
+    return st;
+}
+
+static il_status take_gap(il_native *n)
+{
+    il_status st = begin_record(n, "gap");
+    n->pair.gap = true;
+    n->in = IL_IN_GAP;
+    return st;
+}
+
+il_status il_native_close_gap(il_native *n)
+{
+    il_status st = n->sink->pair(n->sink, &n->pair, n->err);
     il_pair_free(&n->pair);
     return st;
 }
@@ -551,6 +573,7 @@ static il_status take_insert(il_native *n)
 
 const il_native_keyword il_native_pair_keywords[] = {
     { "pair", IL_IN_STACK, take_pair },
+    { "gap", IL_IN_STACK, take_gap },
     { "matcher", IL_IN_PAIR, take_matcher },
     { "group", IL_IN_PAIR, take_group },
     { "lower", IL_IN_GROUP, take_lower },

@@ -200,7 +200,7 @@ static il_status take_slice(il_native *n)
     if (n->slices > 0 && z < n->z)
         return il_native_fail(n, "this slice lies below the one before it; slices stand in rising z");
     if (n->slices > 0 && z == n->z && n->pair_done)
-        return il_native_fail(n, "this slice lies at the height of the one before it, which has its pair already");
+        return il_native_fail(n, "this slice lies at the height of the one before it, which has its pair or gap already");
     if (n->slices > 0 && z == n->z)
         il_report_repair(n->report, IL_REPAIR_MERGED_SLICE, 1);
     else

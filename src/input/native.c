@@ -22,6 +22,7 @@ static const struct {
     [IL_IN_GROUP]   = { IL_IN_PAIR,   "a group",                    il_native_close_group },
     [IL_IN_LATTICE] = { IL_IN_GROUP,  "a lattice",                  il_native_close_lattice },
     [IL_IN_PHI]     = { IL_IN_PAIR,   "phi",                        il_native_close_phi },
+    [IL_IN_GAP]     = { IL_IN_STACK,  "a gap",                      il_native_close_gap },
 };
 
 static bool is_inside(il_native_record inner, il_native_record outer)

@@ -12,7 +12,7 @@
 /* The record that is open; each stands in the one that il_native_parent names. */
 typedef enum il_native_record {
     IL_IN_STREAM, IL_IN_STACK, IL_IN_HEAD, IL_IN_SLICE, IL_IN_RING,
-    IL_IN_PAIR, IL_IN_GROUP, IL_IN_LATTICE, IL_IN_PHI
+    IL_IN_PAIR, IL_IN_GROUP, IL_IN_LATTICE, IL_IN_PHI, IL_IN_GAP
 } il_native_record;
 
 /* What a pair record needs to know of a slice that was handed on: the number of
@@ -41,7 +41,7 @@ typedef struct il_native {
 
     il_slice slice;
     bool holds_slice;               /* SLICE was not handed on yet */
-    bool pair_done;                 /* the last slice has its pair record */
+    bool pair_done;                 /* the last slice has its pair or gap record */
     size_t slices;                  /* of this stack so far */
     size_t points;                  /* vertices of this stack so far */
     double z;                       /* of the last slice */
@@ -81,6 +81,7 @@ il_status il_native_close_lattice(il_native *n);
 il_status il_native_close_phi(il_native *n);
 il_status il_native_close_group(il_native *n);
 il_status il_native_close_pair(il_native *n);
+il_status il_native_close_gap(il_native *n);
 
 /* Free what the state holds, but for the lines. */
 void il_native_free(il_native *n);

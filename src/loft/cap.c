@@ -51,11 +51,11 @@ static bool emit(const lid *l, il_surface *out, int side)
     return true;
 }
 
-il_status il_cap_flat(il_surface *out, const il_section *section, int side, il_error *err)
+/* Append the lid of SECTION to OUT. */
+static il_status add_lid(il_surface *out, const il_section *section, int side, il_error *err)
 {
     lid l = { 0 };
     il_triangulation *t = NULL;
-    *out = (il_surface)IL_SURFACE_INIT;
     if (section->n_stations == 0)
         return IL_OK;
     il_status st = note_edges(&l, section) ? IL_OK : il_fail_nomem(err);
@@ -71,6 +71,24 @@ il_status il_cap_flat(il_surface *out, const il_section *section, int side, il_e
     il_free(l.corner);
     il_free(l.across);
     il_free(l.inside);
+    return st;
+}
+
+il_status il_cap_flat(il_surface *out, const il_section *section, int side, il_error *err)
+{
+    *out = (il_surface)IL_SURFACE_INIT;
+    il_status st = add_lid(out, section, side, err);
+    if (st != IL_OK)
+        il_surface_free(out);
+    return st;
+}
+
+il_status il_cap_gap(il_surface *out, const il_section *lower, const il_section *upper, il_error *err)
+{
+    *out = (il_surface)IL_SURFACE_INIT;
+    il_status st = add_lid(out, lower, IL_LOWER, err);
+    if (st == IL_OK)
+        st = add_lid(out, upper, IL_UPPER, err);
     if (st != IL_OK)
         il_surface_free(out);
     return st;

@@ -9,6 +9,10 @@
 #include <stdio.h>
 #include <string.h>
 
+/* What joins two slices is told behind the upper one, so the last slice waits for
+ * it.  Slices that follow one another without a gap are a run: each is closed at
+ * its ends as the stack is.  With domes the first of a run waits for the second,
+ * whose distance tells how far the dome reaches. */
 typedef struct lofter {
     il_sink sink;
     il_loft_options options;
@@ -17,22 +21,27 @@ typedef struct lofter {
     il_emitter emitter;
     il_stack_head head;       /* of the stack at hand, for messages */
     int32_t stack, n_slices;
-    double z, spacing;        /* of the last slice, and from the one before it */
-    il_section held;          /* the first slice, until the spacing is known (domes) */
+    il_section newest;        /* the last slice, while it is due */
+    bool due;
+    double z, spacing;        /* of the slice before it, and from the one before that */
+    size_t n_run;             /* slices of the run so far, without the newest */
+    bool hollow;              /* the last of them is empty */
+    il_section start;         /* domes: the first of the run, while it is alone */
+    double gap;               /* below the run; 0 at the begin of the stack */
     bool open;                /* next was told to begin and not yet to end */
     size_t n_slabs;
 } lofter;
 
 /* ---- the window, filled and emptied ---- */
 
-static void place_name(const lofter *l, int32_t slice, const il_section *s, char to[64])
+static void place_name(const lofter *l, const il_window_place *p, char to[64])
 {
     char z[IL_NUMBER_MAX];
-    il_number_format(z, s->z);
-    if (slice < 0 || slice >= l->n_slices)
-        snprintf(to, 64, "the end");
+    il_number_format(z, p->section.z);
+    if (!p->beyond)
+        snprintf(to, 64, "slice %d (z = %s)", (int)p->slice, z);
     else
-        snprintf(to, 64, "slice %d (z = %s)", (int)slice, z);
+        snprintf(to, 64, p->slice < 0 || p->slice >= l->n_slices ? "the end" : "the gap");
 }
 
 static void name_point(const double at[3], char to[128])
@@ -53,8 +62,8 @@ static il_status explain(lofter *l, size_t p, il_error *err)
         *err = low->error;
         return low->status;
     }
-    place_name(l, low->slice, &low->section, below);
-    place_name(l, high->slice, &high->section, above);
+    place_name(l, low, below);
+    place_name(l, high, above);
     if (v->flaw != IL_FLAW_REFERENCE)
         name_point(v->at, near);
     return il_fail(err, IL_E_SURFACE, 0, "stack \"%.60s\": no sound surface between %s and %s%s: %s%s",
@@ -83,18 +92,19 @@ static il_status emit_ready(lofter *l, il_error *err)
     return st;
 }
 
-static il_status push(lofter *l, il_section *section, int32_t slice, il_error *err)
+/* SECTION is taken over, and so is PAIR (or null): what is known of it and the
+ * section before. */
+static il_status push(lofter *l, il_section *section, int32_t slice, bool beyond, il_pair *pair, il_error *err)
 {
     il_window *w = &l->window;
     pthread_mutex_lock(&w->crew.mutex);
-    il_window_pair(w, NULL); /* none came */
     il_status st = emit_ready(l, err);
     while (st == IL_OK && w->n == IL_LOFT_WINDOW) {
         il_crew_help(&w->crew);
         st = emit_ready(l, err);
     }
     if (st == IL_OK)
-        il_window_push(w, section, slice);
+        il_window_push(w, section, slice, beyond, pair);
     pthread_mutex_unlock(&w->crew.mutex);
     return st;
 }
@@ -104,7 +114,6 @@ static il_status drain(lofter *l, il_error *err)
 {
     il_window *w = &l->window;
     pthread_mutex_lock(&w->crew.mutex);
-    il_window_pair(w, NULL);
     il_window_end(w);
     il_status st = emit_ready(l, err);
     while (st == IL_OK && w->n > 1) {
@@ -121,10 +130,107 @@ static void clear(lofter *l)
     il_window_clear(&l->window);
     pthread_mutex_unlock(&l->window.crew.mutex);
     il_emitter_free(&l->emitter);
-    il_section_free(&l->held);
+    il_section_free(&l->newest);
+    il_section_free(&l->start);
+    l->due = l->hollow = false;
+    l->n_run = 0;
     if (l->open)
         l->next->abandon(l->next);
     l->open = false;
+}
+
+/* ---- runs of slices ---- */
+
+/* An empty section at Z: caps rise to half of the slab between it and SLICE. */
+static il_status push_beyond(lofter *l, double z, int32_t slice, il_pair *pair, il_error *err)
+{
+    il_slice empty = IL_SLICE_INIT;
+    il_section section = IL_SECTION_INIT;
+    empty.z = l->options.round_float ? il_number_round_float(z) : z;
+    il_status st = il_section_from_slice(&section, &empty, err);
+    if (st == IL_OK)
+        st = push(l, &section, slice, true, pair, err);
+    il_section_free(&section);
+    return st;
+}
+
+/* How far beyond a run's end the empty section lies: as far as the next slice, and
+ * at most in the middle of the gap, which has a dome from either side. */
+static double reach(double spacing, double gap)
+{
+    return gap > 0 && gap / 2 < spacing ? gap / 2 : spacing;
+}
+
+/* The run's first section, with the dome under it unless it is alone, and empty. */
+static il_status push_start(lofter *l, bool dome, il_error *err)
+{
+    il_pair gap = { .gap = l->gap > 0 };
+    int32_t slice = l->n_slices - (l->due ? 2 : 1);
+    if (!dome)
+        return push(l, &l->start, slice, false, &gap, err);
+    il_status st = push_beyond(l, l->start.z - reach(l->spacing, l->gap), slice - 1, &gap, err);
+    return st == IL_OK ? push(l, &l->start, slice, false, NULL, err) : st;
+}
+
+/* The run is over: GAP to the next slice, 0 at the end of the stack. */
+static il_status end_run(lofter *l, double gap, il_error *err)
+{
+    bool dome = l->options.cap == IL_CAP_DOME;
+    int32_t last = l->n_slices - (l->due ? 2 : 1);
+    if (l->n_run == 1 && !l->hollow) {
+        char z[IL_NUMBER_MAX];
+        il_number_format(z, l->z);
+        return il_fail(err, IL_E_INPUT, l->head.line, "stack \"%.60s\": the slice at z = %s stands alone beside a gap; "
+                       "it bounds no solid without a thickness (--thickness)", il_stack_head_name(&l->head), z);
+    }
+    if (l->n_run == 1)
+        return dome ? push_start(l, false, err) : IL_OK;
+    return dome ? push_beyond(l, l->z + reach(l->spacing, gap), gap > 0 ? last : last + 1, NULL, err) : IL_OK;
+}
+
+/* The newest slice begins a run: GAP above the last one, 0 at the begin of the stack. */
+static il_status begin_run(lofter *l, double gap, il_error *err)
+{
+    il_pair between = { .gap = gap > 0 };
+    l->gap = gap;
+    l->n_run = 1;
+    if (l->options.cap != IL_CAP_DOME)
+        return push(l, &l->newest, l->n_slices - 1, false, &between, err);
+    l->start = l->newest;
+    l->newest = (il_section)IL_SECTION_INIT;
+    return IL_OK;
+}
+
+static il_status continue_run(lofter *l, il_pair *pair, il_error *err)
+{
+    il_status st = IL_OK;
+    if (l->options.cap == IL_CAP_DOME && l->n_run == 1)
+        st = push_start(l, true, err);
+    l->n_run++;
+    return st == IL_OK ? push(l, &l->newest, l->n_slices - 1, false, pair, err) : st;
+}
+
+/* What joins the newest slice to the one before is known: PAIR, or null for nothing. */
+static il_status settle(lofter *l, il_pair *pair, il_error *err)
+{
+    if (!l->due)
+        return IL_OK;
+    double z = l->newest.z, distance = z - l->z;
+    bool hollow = l->newest.n_nodes == 0;
+    il_status st = IL_OK;
+    if (l->n_slices == 1) {
+        st = begin_run(l, 0, err);
+    } else if (pair && pair->gap) {
+        st = end_run(l, distance, err);
+        st = st == IL_OK ? begin_run(l, distance, err) : st;
+    } else {
+        l->spacing = distance;
+        st = continue_run(l, pair, err);
+    }
+    l->due = false;
+    l->z = z;
+    l->hollow = hollow;
+    return st;
 }
 
 /* ---- the sink ---- */
@@ -149,72 +255,38 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     return st;
 }
 
-/* An empty section half a dome beyond: caps rise to half of the slab. */
-static il_status push_beyond(lofter *l, double z, int32_t slice, il_error *err)
-{
-    il_slice empty = IL_SLICE_INIT;
-    il_section section = IL_SECTION_INIT;
-    empty.z = l->options.round_float ? il_number_round_float(z) : z;
-    il_status st = il_section_from_slice(&section, &empty, err);
-    if (st == IL_OK)
-        st = push(l, &section, slice, err);
-    il_section_free(&section);
-    return st;
-}
-
-/* With domes the first section waits for the second, whose distance tells how
- * far the dome reaches. */
-static il_status push_held(lofter *l, il_error *err)
-{
-    il_status st = push_beyond(l, l->held.z - l->spacing, -1, err);
-    return st == IL_OK ? push(l, &l->held, 0, err) : st;
-}
-
 static il_status slice(il_sink *self, il_slice *s, il_error *err)
 {
     lofter *l = (lofter *)self;
-    il_section section = IL_SECTION_INIT;
-    il_status st = il_section_from_slice(&section, s, err);
+    il_status st = settle(l, NULL, err);
+    if (st == IL_OK)
+        st = il_section_from_slice(&l->newest, s, err);
+    if (st != IL_OK)
+        return st;
     l->emitter.facts.slices++;
     l->emitter.facts.rings += s->n;
     l->emitter.facts.points += il_slice_points(s);
-    l->spacing = s->z - l->z;
-    l->z = s->z;
-    int32_t index = l->n_slices++;
-    bool dome = l->options.cap == IL_CAP_DOME;
-    if (st == IL_OK && dome && index == 0) {
-        l->held = section;
-        return IL_OK;
-    }
-    if (st == IL_OK && dome && index == 1)
-        st = push_held(l, err);
-    if (st == IL_OK)
-        st = push(l, &section, index, err);
-    il_section_free(&section);
-    return st;
+    l->n_slices++;
+    l->due = true;
+    return IL_OK;
 }
 
 static il_status pair(il_sink *self, il_pair *p, il_error *err)
 {
-    lofter *l = (lofter *)self;
-    (void)err;
-    pthread_mutex_lock(&l->window.crew.mutex);
-    il_window_pair(&l->window, p);
-    pthread_mutex_unlock(&l->window.crew.mutex);
-    return IL_OK;
+    return settle((lofter *)self, p, err);
 }
 
 static il_status stack_end(il_sink *self, il_error *err)
 {
     lofter *l = (lofter *)self;
-    il_status st = IL_OK;
+    il_status st = settle(l, NULL, err);
     const char *name = il_stack_head_name(&l->head);
-    if (l->emitter.facts.points == 0)
+    if (st == IL_OK && l->emitter.facts.points == 0)
         st = il_fail(err, IL_E_INPUT, l->head.line, "stack \"%.60s\" has no contours", name);
-    else if (l->n_slices < 2)
+    else if (st == IL_OK && l->n_slices < 2)
         st = il_fail(err, IL_E_INPUT, l->head.line, "stack \"%.60s\" has a single slice; a solid needs two", name);
-    else if (l->options.cap == IL_CAP_DOME)
-        st = push_beyond(l, l->z + l->spacing, l->n_slices, err);
+    else if (st == IL_OK)
+        st = end_run(l, 0, err);
     if (st == IL_OK)
         st = drain(l, err);
     if (st == IL_OK) {

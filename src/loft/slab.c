@@ -1,6 +1,7 @@
 #include "config.h"
 #include "loft/slab.h"
 #include "base/alloc.h"
+#include "loft/cap.h"
 #include "loft/crowd.h"
 
 #include <string.h>
@@ -14,6 +15,9 @@ void il_slab_free(il_slab *s)
 il_status il_slab_loft(il_slab *out, il_section *lower, il_section *upper, const il_pair *pair, bool round_float, il_error *err)
 {
     *out = (il_slab)IL_SLAB_INIT;
+    out->gap = pair && pair->gap;
+    if (out->gap)
+        return IL_OK;
     il_crowd crowd;
     il_status st = il_crowd_gather(&crowd, lower, upper, pair, round_float, err);
     if (st == IL_OK)
@@ -104,6 +108,8 @@ il_status il_slab_follow(il_slab *s, const il_section *lower, const il_section *
     unsigned char *touched = NULL;
     size_t n_touched = 0;
     il_status st = IL_OK;
+    if (s->gap)
+        return il_cap_gap(&s->surface, lower, upper, err);
     if (!split_side(&s->surface, lower, 0, s->n_nodes[0], &touched, &n_touched) ||
         !split_side(&s->surface, upper, 1, s->n_nodes[1], &touched, &n_touched))
         st = il_fail_nomem(err);

@@ -80,7 +80,7 @@ static int step(void *self, pthread_mutex_t *mutex)
     il_window *w = self;
     for (size_t p = w->first; !w->cancelled && il_window_has_slab(w, p); p++) {
         il_window_place *place = il_window_at(w, p), *above = il_window_at(w, p + 1);
-        if (place->state == IL_SLAB_WAITING && place->paired && may_loft(w, p)) {
+        if (place->state == IL_SLAB_WAITING && may_loft(w, p)) {
             place->state = IL_SLAB_LOFTING;
             pthread_mutex_unlock(mutex);
             place->status = il_slab_loft(&place->slab, &place->section, &above->section, &place->pair, w->round_float, &place->error);
@@ -121,32 +121,21 @@ void il_window_stop(il_window *w)
     }
 }
 
-void il_window_push(il_window *w, il_section *section, int32_t slice)
+void il_window_push(il_window *w, il_section *section, int32_t slice, bool beyond, il_pair *pair)
 {
     il_window_place *p = il_window_at(w, w->first + w->n);
-    *p = (il_window_place){ .section = *section, .slice = slice, .error = IL_ERROR_INIT };
+    *p = (il_window_place){ .section = *section, .slice = slice, .beyond = beyond, .error = IL_ERROR_INIT };
     *section = (il_section)IL_SECTION_INIT;
     if (w->n == 0 && w->first == 0 && p->section.n_nodes > 0) {
         w->origin[0] = p->section.xy[0];
         w->origin[1] = p->section.xy[1];
         w->origin[2] = p->section.z;
     }
-    w->n++;
-    il_crew_wake(&w->crew);
-}
-
-void il_window_pair(il_window *w, il_pair *pair)
-{
-    if (w->n < 2)
-        return;
-    il_window_place *p = il_window_at(w, w->first + w->n - 2);
-    if (p->paired)
-        return;
-    p->paired = true;
-    if (pair) {
-        p->pair = *pair;
+    if (w->n > 0 && pair) {
+        il_window_at(w, w->first + w->n - 1)->pair = *pair;
         *pair = (il_pair)IL_PAIR_INIT;
     }
+    w->n++;
     il_crew_wake(&w->crew);
 }
 

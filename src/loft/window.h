@@ -16,13 +16,14 @@ typedef enum il_slab_state {
     IL_SLAB_WAITING, IL_SLAB_LOFTING, IL_SLAB_LOFTED, IL_SLAB_FINISHING, IL_SLAB_FINISHED
 } il_slab_state;
 
-/* A section at one end and the slab above it.  slice: its index in the stack, -1
- * and the number of slices for the empty sections beyond domes. */
+/* A section at one end and the slab above it.  slice: its index in the stack.
+ * beyond: it is an empty one that a dome ends at; then slice is -1 or the number
+ * of slices at the ends of the stack, and in a gap that of the slice below. */
 typedef struct il_window_place {
     il_section section;
     int32_t slice;
-    il_pair pair;             /* of this slice and the one above, once it is told */
-    bool paired;
+    bool beyond;
+    il_pair pair;             /* of this slice and the one above, when there is one */
     il_slab slab;
     il_slab_state state;
     il_status status;         /* of the slab's work; it is finished when not IL_OK */
@@ -51,15 +52,11 @@ static inline il_window_place *il_window_at(il_window *w, size_t p)
     return &w->place[p % IL_LOFT_WINDOW];
 }
 
-/* Append a section (taken over); there must be room (n < IL_LOFT_WINDOW).  Its
- * slab waits for il_window_pair. */
-void il_window_push(il_window *w, il_section *section, int32_t slice);
+/* Append a section (taken over) with what is known of it and the one before: PAIR
+ * (taken over), or null for nothing.  There must be room (n < IL_LOFT_WINDOW). */
+void il_window_push(il_window *w, il_section *section, int32_t slice, bool beyond, il_pair *pair);
 
-/* What is known of the last two sections: PAIR (taken over), or null for
- * nothing.  Does nothing when that was told before. */
-void il_window_pair(il_window *w, il_pair *pair);
-
-/* No section will follow; the last slab has its pair. */
+/* No section will follow. */
 void il_window_end(il_window *w);
 
 /* Is slab P, between sections P and P + 1, there at all? */

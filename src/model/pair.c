@@ -57,6 +57,14 @@ void il_pair_free(il_pair *p)
     *p = (il_pair)IL_PAIR_INIT;
 }
 
+void il_pair_make_gap(il_pair *p)
+{
+    il_pair gap = { .gap = true, .line = p->line, .extra = p->extra };
+    p->extra = NULL;
+    il_pair_free(p);
+    *p = gap;
+}
+
 bool il_pair_names_rings(const il_pair *p)
 {
     return p->n_groups + p->n_phi + p->n_matches + p->n_unmatched + p->n_insertions > 0;

@@ -109,8 +109,11 @@ typedef struct il_group {
 /* matcher NONE: phi is the identity and phi[] is empty.  Otherwise phi[] has a
  * point for every vertex of the upper slice and more where an edge bends, in
  * order of place.  Rings in no group are groups of their own; no group at all
- * (n_groups 0) means that all rings form one. */
+ * (n_groups 0) means that all rings form one.
+ * gap: nothing joins the two slices, each is closed where it lies; then there is
+ * nothing else to say but private lines. */
 typedef struct il_pair {
+    bool gap;
     il_matcher matcher;
     il_group *group;          size_t n_groups, cap_groups;
     il_phi_point *phi;        size_t n_phi, cap_phi;
@@ -123,6 +126,8 @@ typedef struct il_pair {
 
 #define IL_PAIR_INIT { 0 }
 void il_pair_free(il_pair *p);
+/* Whatever P said, now it is a gap; line and private lines stay. */
+void il_pair_make_gap(il_pair *p);
 void il_fit_free(il_fit *f);          /* with its lattices; all zero afterwards */
 /* May the surface follow phi?  A small residual does not tell: a map that had to
  * stretch the rings unevenly, or to squeeze the plane beside them, takes what has

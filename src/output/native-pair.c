@@ -1,4 +1,4 @@
-/* native-pair.c - pair records in the native format's canonical form. */
+/* native-pair.c - pair and gap records in the native format's canonical form. */
 #include "config.h"
 #include "output/native.h"
 #include "base/alloc.h"
@@ -290,6 +290,11 @@ static il_status write_insertions(il_output *to, const il_pair *p, il_error *err
 
 il_status il_native_write_pair(il_output *to, const il_pair *p, il_error *err)
 {
+    if (p->gap) {
+        il_output_string(to, "gap\n");
+        il_native_write_extra(to, p->extra);
+        return IL_OK;
+    }
     il_output_string(to, p->matcher == IL_MATCHER_FFD ? "pair\nmatcher ffd\n" : "pair\nmatcher none\n");
     il_status st = write_groups(to, p, err);
     if (st != IL_OK)

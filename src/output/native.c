@@ -228,7 +228,7 @@ static il_status take_slice(il_sink *self, il_slice *slice, il_error *err)
 static il_status take_pair(il_sink *self, il_pair *pair, il_error *err)
 {
     writer *w = (writer *)self;
-    if (!w->lower_in_order || !w->upper_in_order)
+    if (!pair->gap && (!w->lower_in_order || !w->upper_in_order))
         return il_fail(err, IL_E_INTERNAL, pair->line, "a pair of slices whose rings are not in canonical order");
     il_status st = il_native_write_pair(w->to, pair, err);
     return st == IL_OK ? il_output_status(w->to, err) : st;

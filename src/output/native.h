@@ -5,7 +5,7 @@
 #include "base/output.h"
 #include "model/pair.h"
 
-/* Write P in canonical form (formats/loft.txt, 8 and 9). */
+/* Write P, a pair or a gap, in canonical form (formats/loft.txt, 8 and 9). */
 il_status il_native_write_pair(il_output *to, const il_pair *p, il_error *err);
 
 void il_native_write_extra(il_output *to, const il_extra *extra);

@@ -22,7 +22,7 @@ static il_status run(const il_options *o, il_voice *v, il_error *err)
         il_help_usage();
         return IL_E_USAGE;
     }
-    return commands[o->verb](o, v, err);
+    return o->list ? il_command_list(o, v, err) : commands[o->verb](o, v, err);
 }
 
 int main(int argc, char **argv)

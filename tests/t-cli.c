@@ -1,7 +1,9 @@
 /* t-cli.c - the small parts of the commands: file names, JSON, selection. */
 #include "config.h"
 #include "cli/filename.h"
+#include "cli/grid.h"
 #include "cli/json.h"
+#include "cli/pattern.h"
 #include "cli/select.h"
 #include "test.h"
 
@@ -167,14 +169,24 @@ static il_status count_end(il_sink *s, il_error *err)
     return IL_OK;
 }
 
-static il_status select_from(const char *pattern, counter *c, il_error *err)
+/* PATTERNS: as many as there are words, parted by '|'. */
+static il_status select_from(const char *patterns, counter *c, il_error *err)
 {
-    static const char *const names[] = { "Lung left", "Lung right", "Heart", "" };
+    static const char *const names[] = { "Lung left", "Lung right", "Heart", "", "\xc3\x84o", "!x" };
+    const size_t n_names = sizeof names / sizeof *names;
+    char words[100];
+    const char *pattern[8] = { words };
+    size_t n = 1;
+    snprintf(words, sizeof words, "%s", patterns);
+    for (char *bar = words; (bar = strchr(bar, '|'));) {
+        *bar++ = '\0';
+        pattern[n++] = bar;
+    }
     *c = (counter){ { count_begin, count_slice, count_pair, count_end, count_end }, 0, 0, 0 };
     il_sink *s = NULL;
     il_report report = IL_REPORT_INIT;
-    il_status st = il_select_new(&s, pattern, &c->sink, &report, err);
-    for (size_t k = 0; k < 4 && st == IL_OK; k++) {
+    il_status st = il_select_new(&s, pattern, n, &c->sink, &report, err);
+    for (size_t k = 0; k < n_names && st == IL_OK; k++) {
         il_stack_head head = IL_STACK_HEAD_INIT;
         il_slice slice = IL_SLICE_INIT;
         il_pair pair = IL_PAIR_INIT;
@@ -194,7 +206,9 @@ static void a_pattern_lets_matching_stacks_through(void **state)
 {
     (void)state;
     static const struct { const char *pattern; int stacks; } c[] = {
-        { "Lung*", 2 }, { "*", 4 }, { "Heart", 1 }, { "", 1 }, { "[HL]*t", 3 } };
+        { "Lung*", 2 }, { "*", 6 }, { "Heart", 1 }, { "", 1 }, { "[HL]*t", 3 },
+        { "Heart|Lung l*", 2 }, { "Heart|Heart", 1 }, { "!Lung*", 4 }, { "Lung*|!*left", 1 }, { "!*left|Lung*", 1 },
+        { "!Lung*|!Heart", 3 }, { "\\!x", 1 }, { "!!x", 5 }, { "!", 5 } };
     for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
         counter n;
         il_error err = IL_ERROR_INIT;
@@ -205,6 +219,33 @@ static void a_pattern_lets_matching_stacks_through(void **state)
     }
 }
 
+static void patterns_are_those_of_shells(void **state)
+{
+    (void)state;
+    static const struct { const char *pattern, *name; bool matches; } c[] = {
+        { "", "", true }, { "", "a", false }, { "*", "", true }, { "a*b*c", "a-b-b-c", true }, { "a*b*c", "acb", false },
+        { "?o", "\xc3\x84o", true }, { "??o", "\xc3\x84o", false }, { "[\xc3\x84]o", "\xc3\x84o", true },
+        { "[a-\xc3\xbf]", "\xc3\xa4", true }, { "[!a-z]", "\xc3\xa4", true }, { "[^a-z]", "b", false }, { "?", "\xff", true },
+        { "\xff", "\xff", true }, { "[]]", "]", true }, { "[!]]", "]", false }, { "[a-]", "-", true }, { "[", "[", true },
+        { "[ab", "[ab", true }, { "[ab", "a", false }, { "\\*", "*", true }, { "\\*", "a", false }, { "[\\]]", "]", true },
+        { "\\", "\\", true }, { "*a", "aaab", false }, { "*[0-9]", "PTV 50", true }, { "*", "a/b", true }, { "?", "", false } };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++)
+        if (il_pattern_matches(c[k].pattern, c[k].name) != c[k].matches)
+            fail_msg("'%s' and '%s'", c[k].pattern, c[k].name);
+}
+
+static void a_pattern_of_many_stars_takes_no_time(void **state)
+{
+    (void)state;
+    enum { STARS = 400, LETTERS = 20000 };
+    static char pattern[2 * STARS + 2], name[LETTERS + 1];
+    for (size_t k = 0; k < STARS; k++)
+        memcpy(pattern + 2 * k, "*a", 2);
+    pattern[2 * STARS] = 'b';
+    memset(name, 'a', LETTERS);
+    assert_false(il_pattern_matches(pattern, name));
+}
+
 static void a_pattern_that_matches_nothing_is_an_error(void **state)
 {
     (void)state;
@@ -212,6 +253,42 @@ static void a_pattern_that_matches_nothing_is_an_error(void **state)
     il_error err = IL_ERROR_INIT;
     assert_int_equal(select_from("Liver", &n, &err), IL_E_INPUT);
     assert_int_equal(n.stacks + n.slices + n.ends, 0);
+    assert_string_equal(err.text, "no name matches 'Liver'; there are 'Lung left', 'Lung right', 'Heart', '', '\xc3\x84o' and 1 more");
+    err = (il_error)IL_ERROR_INIT;
+    assert_int_equal(select_from("*|!*", &n, &err), IL_E_INPUT);
+    assert_int_equal(n.stacks + n.slices + n.ends, 0);
+}
+
+/* ---- grids ---------------------------------------------------------------- */
+
+static void a_column_is_as_wide_as_a_terminal_shows_it(void **state)
+{
+    (void)state;
+    assert_int_equal(il_text_columns(""), 0);
+    assert_int_equal(il_text_columns("Lung"), 4);
+    assert_int_equal(il_text_columns("Dr\xc3\xbcse"), 5);
+    assert_int_equal(il_text_columns("u\xcc\x88"), 1);
+    assert_int_equal(il_text_columns("\xe8\x82\xba\xe8\x82\xba"), 4);
+    assert_int_equal(il_text_columns("\xff\xfe"), 2);
+}
+
+static void a_grid_is_aligned_and_printable(void **state)
+{
+    (void)state;
+    static const char *const cells[] = { "N", "NAME", "", "10", "L\xc3\xbcnge", "x", "9", "a\x1b\n", "", "1", "", "y" };
+    il_grid g = { .columns = 3 };
+    il_output *out = NULL;
+    assert_int_equal(il_output_to_memory(&out, NULL), IL_OK);
+    for (size_t k = 0; k < sizeof cells / sizeof *cells; k++)
+        assert_true(il_grid_add(&g, cells[k], 0));
+    il_grid_write(&g, "100", out);
+    assert_output(out, " N  NAME\n10  L\xc3\xbcnge      x\n 9  a\\x1b\\x0a\n 1             y\n");
+    il_grid_free(&g);
+    assert_true(il_grid_add(&g, "abcdefgh", 7) && il_grid_add(&g, "abcdefg", 7) && il_grid_add(&g, "\xe8\x82\xba\xe8\x82\xba\xe8\x82\xba\xe8\x82\xba", 6));
+    assert_string_equal(g.cell[0], "abcd...");
+    assert_string_equal(g.cell[1], "abcdefg");
+    assert_string_equal(g.cell[2], "\xe8\x82\xba...");
+    il_grid_free(&g);
 }
 
 int main(void)
@@ -224,7 +301,11 @@ int main(void)
         cmocka_unit_test(json_is_well_formed),
         cmocka_unit_test(json_strings_hold_any_bytes),
         cmocka_unit_test(a_pattern_lets_matching_stacks_through),
+        cmocka_unit_test(patterns_are_those_of_shells),
+        cmocka_unit_test(a_pattern_of_many_stars_takes_no_time),
         cmocka_unit_test(a_pattern_that_matches_nothing_is_an_error),
+        cmocka_unit_test(a_column_is_as_wide_as_a_terminal_shows_it),
+        cmocka_unit_test(a_grid_is_aligned_and_printable),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -120,7 +120,9 @@ static void what_makes_no_sense_is_a_usage_error(void **state)
         "plot x -o y.stl", "plot --pair", "plot --pair x", "plot --pair -1", "plot --pair 3 --slices",
         "plot --slices --pair 3", "plot --slices=3", "plot x -t stl", "read x --pair 3", "x --slices", "- -", "x -o y --pairs y",
         "x --pairs -", "x -o - --pairs -", "x -o y.stl --json=y.stl", "read x --pairs y", "match --spacing 1",
-        "--output= x", "x --json=" };
+        "--output= x", "x --json=",
+        "x --list -o y", "x --list --pairs y", "read x --list -o -", "match --list", "check x --list", "plot --list",
+        "info x --ras", "match --ras", "mesh --ras", "x --roi", "x --no-roi", "check x --roi y" };
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         if (PARSE(o, lines[k]) != IL_E_USAGE)
             fail_msg("accepted: %s", lines[k]);
@@ -136,16 +138,32 @@ static void values_reach_their_place(void **state)
     char buf[400];
     il_options o;
     il_error err;
-    assert_int_equal(PARSE(o, "x --spacing 2.5 --unit in --to m --threads 3 --cap dome --stack L* --max-depth 7 "
+    assert_int_equal(PARSE(o, "x --spacing 2.5 --unit in --to m --threads 3 --cap dome --stack L* --roi !*x --max-depth 7 "
                               "--max-line 100 --max-points 12 --flatness 0.01 --matcher none --pairs p -f svg "
                               "--progress=auto --groups slab"), IL_OK);
     assert_true(o.groups_by_slab);
     assert_true(o.read.has_spacing && o.read.spacing == 2.5 && o.read.has_unit && o.read.unit == IL_UNIT_IN);
     assert_true(o.convert_unit && o.to_unit == IL_UNIT_M && o.threads == 3 && o.cap == IL_CAP_DOME);
     assert_true(o.read.max_depth == 7 && o.read.max_line == 100 && o.read.max_points == 12 && o.read.flatness == 0.01);
-    assert_string_equal(o.stack, "L*");
+    assert_int_equal(o.n_patterns, 2);
+    assert_string_equal(o.pattern[0], "L*");
+    assert_string_equal(o.pattern[1], "!*x");
     assert_string_equal(o.pairs, "p");
     assert_ptr_equal(o.from, &il_reader_svg);
+    il_options_free(&o);
+}
+
+static void a_list_needs_no_output_format(void **state)
+{
+    (void)state;
+    char buf[400];
+    il_options o;
+    il_error err;
+    assert_int_equal(PARSE(o, "x --list --ras --json=y"), IL_OK);
+    assert_true(o.list && o.ras && !o.to);
+    il_options_free(&o);
+    assert_int_equal(PARSE(o, "x --list --ras --no-list --no-ras -o y.ply"), IL_OK);
+    assert_true(!o.list && !o.ras && o.to == &il_writer_ply);
     il_options_free(&o);
 }
 
@@ -169,6 +187,7 @@ int main(void)
         cmocka_unit_test(the_format_follows_the_name_unless_t_gives_it),
         cmocka_unit_test(what_makes_no_sense_is_a_usage_error),
         cmocka_unit_test(values_reach_their_place),
+        cmocka_unit_test(a_list_needs_no_output_format),
         cmocka_unit_test(control_characters_of_the_line_are_not_echoed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

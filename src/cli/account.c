@@ -19,6 +19,9 @@ static il_stack_account *current(il_account *a)
 static void stack_account_free(il_stack_account *s)
 {
     il_free(s->name);
+    il_free(s->type);
+    il_free(s->algorithm);
+    il_free(s->frame_uid);
     il_free(s->file);
     il_free(s->error);
     il_free(s->gap);
@@ -27,18 +30,41 @@ static void stack_account_free(il_stack_account *s)
 
 /* ---- a record is opened -------------------------------------------------- */
 
+/* Null for slices across z, whatever way x and y go. */
+static const char *words_of_planes(const il_stack_head *h)
+{
+    const double *c = h->frame + 9;
+    if (!h->has_frame || (c[0] == 0 && c[1] == 0))
+        return NULL;
+    return c[1] == 0 && c[2] == 0 ? "across x" : c[0] == 0 && c[2] == 0 ? "across y" : "tilted";
+}
+
+/* Null stays null. */
+static bool copy_attribute(char **to, const il_stack_head *head, const char *key)
+{
+    const char *value = il_stack_head_attribute(head, key);
+    *to = value ? il_strndup(value, strlen(value)) : NULL;
+    return *to || !value;
+}
+
 static il_status open_record(il_account *a, const il_stack_head *head, il_error *err)
 {
     if (!il_grow(&a->stack, &a->cap, a->n + 1, sizeof *a->stack))
         return il_fail_nomem(err);
     const char *name = il_stack_head_name(head);
     il_stack_account s = { .has_number = head->has_number, .has_color = head->has_color, .number = head->number,
-                           .unit = head->unit, .box = { INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY },
+                           .unit = head->unit, .set_spacing = head->usual_spacing, .planes = words_of_planes(head),
+                           .began = il_clock_seconds(), .box = { INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY },
                            .report = IL_REPORT_INIT };
     memcpy(s.color, head->color, sizeof s.color);
     s.name = il_strndup(name, strlen(name));
-    if (!s.name)
+    bool ok = s.name && copy_attribute(&s.type, head, "RTROIInterpretedType") &&
+              copy_attribute(&s.algorithm, head, "ROIGenerationAlgorithm") &&
+              copy_attribute(&s.frame_uid, head, "FrameOfReferenceUID");
+    if (!ok) {
+        stack_account_free(&s);
         return il_fail_nomem(err);
+    }
     a->stack[a->n++] = s;
     a->in_stack = true;
     a->skipping = false;
@@ -60,6 +86,7 @@ static il_status count_slice(il_account *a, const il_slice *slice, il_error *err
     if (!il_grow(&a->z, &a->cap_z, s->slices + 1, sizeof *a->z))
         return il_fail_nomem(err);
     a->z[s->slices++] = slice->z;
+    il_sections_slice(&s->sections, slice);
     s->rings += slice->n;
     for (size_t i = 0; i < slice->n; i++) {
         const il_ring *r = &slice->ring[i];
@@ -122,6 +149,7 @@ static il_status close_record(il_account *a, il_error *err)
     il_stack_account *s = current(a);
     a->in_stack = a->skipping = false;
     merge_rounding(&a->report, &a->rounding);
+    s->seconds = il_clock_seconds() - s->began;
     s->report = a->report;
     a->report = (il_report)IL_REPORT_INIT;
     const char *file = s->status == IL_OK && a->options.file_of ? a->options.file_of(a->options.file_of_self) : NULL;
@@ -213,6 +241,7 @@ static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)
 static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
 {
     il_account *a = of_contours(self);
+    il_sections_pair(&current(a)->sections, pair);
     return a->skipping ? IL_OK : settle(a, a->next->pair(a->next, pair, err), err);
 }
 
@@ -308,6 +337,12 @@ void il_account_free(il_account *a)
     a->stack = NULL;
     a->z = NULL;
     a->n = a->cap = a->cap_z = 0;
+}
+
+double il_stack_account_slice_sum(const il_stack_account *s)
+{
+    double spacing = s->slices > 1 ? s->usual_spacing : s->set_spacing;
+    return s->points == 0 ? 0 : spacing > 0 ? s->sections.areas * spacing : NAN;
 }
 
 il_sink *il_account_contours(il_account *a, il_sink *next)

@@ -6,6 +6,7 @@
 #define IL_CLI_ACCOUNT_H
 
 #include "cli/message.h"
+#include "cli/sections.h"
 #include "model/mesh.h"
 #include "model/report.h"
 #include "model/sink.h"
@@ -16,17 +17,25 @@ typedef struct il_gap { double below, above; } il_gap;
 /* Lengths in the stack's unit.  name: UTF-8 as the input has it.  least, usual
  * (the median) and largest spacing: 0 with fewer than two slices.  box: least
  * x, y, z and greatest x, y, z; least > greatest when there is no vertex.
+ * set_spacing: usual in the set that the stack came from, 0 unknown.  type,
+ * algorithm, frame_uid: of an ROI, or null.  planes: where slices lie otherwise
+ * than across z, in words, or null.  seconds: from the stack's arrival at the
+ * tap to its end there; what other threads do for it at the time is in it, what
+ * they did before is not.
  * has_mesh: facts were given, so the surface is certified.  file: what it was
  * written to in a folder, or null.  error: one line, null unless it failed. */
 typedef struct il_stack_account {
-    char *name, *file, *error;
+    char *name, *type, *algorithm, *frame_uid, *file, *error;
+    const char *planes;
     bool has_number, has_color, has_mesh;
     long number;
     unsigned char color[3];
     il_unit unit;
     size_t slices, rings, points;
     double box[6];
-    double least_spacing, usual_spacing, largest_spacing;
+    double least_spacing, usual_spacing, largest_spacing, set_spacing;
+    il_sections sections;
+    double began, seconds;
     il_gap *gap;        size_t n_gaps, cap_gaps;
     il_report report;
     il_mesh_facts facts;
@@ -67,6 +76,10 @@ typedef struct il_account {
 
 void il_account_init(il_account *a, const il_account_options *o);
 void il_account_free(il_account *a);
+
+/* Sum of the slices' areas times the usual spacing, unit^3, that of the set for
+ * a single slice; NAN where there is none. */
+double il_stack_account_slice_sum(const il_stack_account *s);
 
 /* The taps, in front of NEXT (borrowed). */
 il_sink *il_account_contours(il_account *a, il_sink *next);

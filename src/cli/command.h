@@ -16,6 +16,14 @@ il_status il_command_info(const il_options *o, il_voice *v, il_error *err);
 il_status il_command_check(const il_options *o, il_voice *v, il_error *err);
 il_status il_command_plot(const il_options *o, il_voice *v, il_error *err);
 
+/* --list: a table of the stacks, without a mesh. */
+il_status il_command_list(const il_options *o, il_voice *v, il_error *err);
+
+/* For those that only look: run PLAN, put WRITE's text about the result to
+ * standard output, and what --json asks for there or to its file. */
+typedef il_status il_summary_writer(const il_result *r, il_output *out, il_error *err);
+il_status il_command_survey(const il_options *o, const il_plan *plan, il_summary_writer *write, il_voice *v, il_error *err);
+
 /* For the five that write: run PLAN and say what there is to say of it. */
 il_status il_command_run_plan(const il_options *o, const il_plan *plan, il_voice *v, il_error *err);
 

@@ -1,7 +1,7 @@
 #include "config.h"
 #include "cli/index.h"
 #include "base/alloc.h"
-#include "cli/json.h"
+#include "cli/summary.h"
 
 #include <string.h>
 
@@ -14,15 +14,7 @@ static void write_entry(il_json *j, const il_stack_account *s)
     s->has_number ? il_json_integer(j, s->number) : il_json_null(j);
     il_json_key(j, "name");
     il_json_string(j, s->name);
-    il_json_key(j, "colour");
-    if (s->has_color) {
-        il_json_open(j, '[');
-        for (int k = 0; k < 3; k++)
-            il_json_integer(j, s->color[k]);
-        il_json_close(j, ']');
-    } else {
-        il_json_null(j);
-    }
+    il_summary_json_color(j, s);
     il_json_key(j, "status");
     il_json_string(j, s->status != IL_OK ? "failed" : s->file ? "ok" : "empty");
     il_json_key(j, "error");

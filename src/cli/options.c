@@ -53,11 +53,28 @@ static il_status set_pairs(il_options *o, const char *value, bool on, il_error *
     return set_path(&o->pairs, value, "--pairs", err);
 }
 
-static il_status set_stack(il_options *o, const char *value, bool on, il_error *err)
+static il_status add_pattern(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
+    if (!il_grow(&o->pattern, &o->cap_patterns, o->n_patterns + 1, sizeof *o->pattern))
+        return il_fail_nomem(err);
+    o->pattern[o->n_patterns++] = value;
+    return IL_OK;
+}
+
+static il_status set_list(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
     (void)err;
-    o->stack = value;
+    o->list = on;
+    return IL_OK;
+}
+
+static il_status set_ras(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->ras = on;
     return IL_OK;
 }
 
@@ -306,8 +323,14 @@ const il_option il_option_table[] = {
       NULL, "draw the pair above slice K, from 0", set_pair },
     { 0, "slices", NULL, IL_OPTION_SWITCH, PLOT,
       NULL, "draw all slices side by side", set_slices },
+    { 0, "list", NULL, IL_OPTION_SWITCH, READERS,
+      "a table of what is in the input; no mesh", "a table of what is in the input; no mesh", set_list },
+    { 0, "roi", "PATTERN", IL_OPTION_VALUE, STREAMS | PLOT,
+      "only names that match; '!PATTERN': not those", "only names that match; '!PATTERN': not those", add_pattern },
     { 0, "stack", "PATTERN", IL_OPTION_VALUE, STREAMS | PLOT,
-      "only stacks whose name matches", "only stacks whose name matches", set_stack },
+      NULL, "the same as --roi", add_pattern },
+    { 0, "ras", NULL, IL_OPTION_SWITCH, CONVERT | READ,
+      NULL, "structure sets: coordinates RAS instead of LPS", set_ras },
     { 0, "unit", "U", IL_OPTION_VALUE, READERS,
       "what the input's numbers mean: um mm ... in ft",
       "what the input's numbers mean: um mm ... ft deg", set_unit },
@@ -316,7 +339,7 @@ const il_option il_option_table[] = {
     { 0, "spacing", "D", IL_OPTION_VALUE, READERS,
       "distance of slices that state no height", "distance of slices that state no height", set_spacing },
     { 0, "flip", NULL, IL_OPTION_SWITCH, READERS,
-      "SVG: turn y up; --no-flip leaves it down", "SVG: y points down and is turned up (default)", set_flip },
+      NULL, "SVG: y points down and is turned up (default)", set_flip },
     { 0, "flatness", "D", IL_OPTION_VALUE, READERS,
       NULL, "distance of a flattened curve from the true one", set_flatness },
     { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
@@ -363,6 +386,7 @@ void il_options_init(il_options *o)
 void il_options_free(il_options *o)
 {
     il_free(o->input);
+    il_free(o->pattern);
     il_options_init(o);
 }
 
@@ -475,7 +499,7 @@ static il_status settle_picture(il_options *o, const char *extension, il_error *
 static il_status settle_format(il_options *o, il_error *err)
 {
     bool contours = o->verb == IL_VERB_READ || o->verb == IL_VERB_MATCH;
-    if (o->verb == IL_VERB_INFO || o->verb == IL_VERB_CHECK)
+    if (o->verb == IL_VERB_INFO || o->verb == IL_VERB_CHECK || o->list)
         return IL_OK;
     bool named = o->output && strcmp(o->output, "-") != 0 && !il_destination_is_folder(o->output);
     const char *extension = named ? il_filename_extension(o->output) : "";
@@ -496,7 +520,7 @@ static il_status settle_format(il_options *o, il_error *err)
 /* Two outputs of one run must not be one file. */
 static il_status check_outputs_differ(const il_options *o, il_error *err)
 {
-    bool writes = o->verb != IL_VERB_INFO && o->verb != IL_VERB_CHECK;
+    bool writes = o->verb != IL_VERB_INFO && o->verb != IL_VERB_CHECK && !o->list;
     const char *path[3] = { o->output || !writes ? o->output : "-", o->pairs, o->json_path };
     for (int i = 0; i < 3; i++)
         for (int k = i + 1; k < 3; k++)
@@ -519,6 +543,14 @@ static il_status check_inputs(const il_options *o, il_error *err)
     return n_dashes <= 1 ? IL_OK : il_fail(err, IL_E_USAGE, 0, "standard input (-) can be read once only");
 }
 
+static il_status check_list(const il_options *o, il_error *err)
+{
+    if (o->list && (o->output || o->pairs))
+        return il_fail(err, IL_E_USAGE, 0, "--list writes its table alone, to standard output, and takes no --%s",
+                       o->output ? "output" : "pairs");
+    return IL_OK;
+}
+
 /* What can only be told when all of the line is known. */
 static il_status check_together(il_options *o, il_error *err)
 {
@@ -527,6 +559,8 @@ static il_status check_together(il_options *o, il_error *err)
             return il_fail(err, IL_E_USAGE, 0, "'%s' has no option --%s (isoloft %s --help lists them)",
                            verb_names[o->verb], p->name, verb_names[o->verb]);
     il_status st = check_inputs(o, err);
+    if (st == IL_OK)
+        st = check_list(o, err);
     if (st == IL_OK)
         st = settle_format(o, err);
     return st == IL_OK ? check_outputs_differ(o, err) : st;

@@ -37,8 +37,10 @@ typedef struct il_options {
     size_t n_inputs, cap_inputs;
     const il_reader *from;
     const il_writer *to;
-    const char *output, *pairs, *json_path, *stack;
-    bool json, quiet, verbose, strict, convert_unit, groups_by_slab;
+    const char *output, *pairs, *json_path;
+    const char **pattern;       /* of --roi and --stack, in order: see cli/select.h */
+    size_t n_patterns, cap_patterns;
+    bool json, quiet, verbose, strict, convert_unit, groups_by_slab, list, ras;
     il_unit to_unit;
     il_read_options read;
     il_cap cap;

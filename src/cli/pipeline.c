@@ -4,10 +4,12 @@
 #include "base/threads.h"
 #include "cli/destination.h"
 #include "cli/index.h"
+#include "cli/nowhere.h"
 #include "cli/progress.h"
 #include "cli/select.h"
 #include "match/matcher.h"
 #include "match/refit.h"
+#include "model/ras.h"
 #include "model/rescale.h"
 #include "model/tee.h"
 #include "region/clean.h"
@@ -25,9 +27,10 @@ typedef struct pipeline {
     const il_reader *reader;
     il_destination *destination;
     il_output *pairs;
-    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *cleaner, *rescaler, *select, *first;
+    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *cleaner, *ras, *rescaler, *select, *first;
     il_refit *refit;
-    il_mesh_sink nowhere;
+    il_sink nowhere;
+    il_mesh_sink nowhere_mesh;
 } pipeline;
 
 /* ---- input --------------------------------------------------------------- */
@@ -75,6 +78,11 @@ static il_status find_reader(pipeline *p, il_error *err)
         }
         p->reader = r;
     }
+    if (p->options->ras && !p->reader->is_patient) {
+        il_fail(err, IL_E_USAGE, 0, "is %s; --ras is for DICOM structure sets, whose coordinates are LPS", p->reader->name);
+        il_error_set_file(err, il_source_name(p->source[0]));
+        return IL_E_USAGE;
+    }
     if (p->plan->native_only && p->reader != &il_reader_loft) {
         il_fail(err, IL_E_INPUT, 0, "is %s; '%s' takes the native format, which 'isoloft read' makes of it",
                 p->reader->name, il_verb_name(p->options->verb));
@@ -86,51 +94,13 @@ static il_status find_reader(pipeline *p, il_error *err)
 
 /* ---- output -------------------------------------------------------------- */
 
-static il_status nowhere_begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
-{
-    (void)self;
-    (void)head;
-    (void)err;
-    return IL_OK;
-}
-
-static il_status nowhere_piece(il_mesh_sink *self, const il_mesh *piece, il_error *err)
-{
-    (void)self;
-    (void)piece;
-    (void)err;
-    return IL_OK;
-}
-
-static il_status nowhere_end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *err)
-{
-    (void)self;
-    (void)facts;
-    (void)err;
-    return IL_OK;
-}
-
-static void nowhere_abandon(il_mesh_sink *self)
-{
-    (void)self;
-}
-
-static il_status nowhere_finish(il_mesh_sink *self, il_error *err)
-{
-    (void)self;
-    (void)err;
-    return IL_OK;
-}
-
 static const char *const comments[] = { "made by isoloft " PACKAGE_VERSION, NULL };
 
 static il_status open_outputs(pipeline *p, il_error *err)
 {
     const il_options *o = p->options;
-    if (p->plan->survey) {
-        p->nowhere = (il_mesh_sink){ nowhere_begin, nowhere_piece, nowhere_end, nowhere_abandon, nowhere_finish };
+    if (p->plan->survey)
         return IL_OK;
-    }
     il_write_options w = { comments, o->groups_by_slab, o->picture };
     il_status st = il_destination_open(&p->destination, o->output, o->to, &w, err);
     if (st == IL_OK) {
@@ -155,7 +125,7 @@ static int threads_of(const il_options *o)
 static il_status build_end(pipeline *p, il_sink **end, il_error *err)
 {
     if (!p->plan->loft) {
-        *end = il_destination_contours(p->destination);
+        *end = p->plan->survey ? &p->nowhere : il_destination_contours(p->destination);
         return IL_OK;
     }
     const il_options *o = p->options;
@@ -165,7 +135,7 @@ static il_status build_end(pipeline *p, il_sink **end, il_error *err)
     l.round_float = o->to && o->to->round_float;
     l.progress = il_account_progress;
     l.progress_self = p->account;
-    il_mesh_sink *meshes = p->plan->survey ? &p->nowhere : il_destination_meshes(p->destination);
+    il_mesh_sink *meshes = p->plan->survey ? &p->nowhere_mesh : il_destination_meshes(p->destination);
     il_status st = il_lofter_new(&p->lofter, &l, il_account_meshes(p->account, meshes), err);
     *end = p->lofter;
     return st;
@@ -212,6 +182,15 @@ static il_status build_cleaner(pipeline *p, il_error *err)
     return st;
 }
 
+static il_status build_ras(pipeline *p, il_error *err)
+{
+    if (!p->options->ras)
+        return IL_OK;
+    il_status st = il_ras_new(&p->ras, p->first, &p->account->report, err);
+    p->first = st == IL_OK ? p->ras : p->first;
+    return st;
+}
+
 static il_status build_rescaler(pipeline *p, il_error *err)
 {
     if (!p->options->convert_unit)
@@ -223,9 +202,10 @@ static il_status build_rescaler(pipeline *p, il_error *err)
 
 static il_status build_select(pipeline *p, il_error *err)
 {
-    if (!p->options->stack)
+    const il_options *o = p->options;
+    if (o->n_patterns == 0)
         return IL_OK;
-    il_status st = il_select_new(&p->select, p->options->stack, p->first, &p->account->report, err);
+    il_status st = il_select_new(&p->select, o->pattern, o->n_patterns, p->first, &p->account->report, err);
     p->first = st == IL_OK ? p->select : p->first;
     return st;
 }
@@ -233,7 +213,7 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_matcher, build_cleaner, build_rescaler, build_select };
+        build_rounder, build_tee, build_matcher, build_cleaner, build_ras, build_rescaler, build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
     p->first = il_account_contours(p->account, end);
@@ -246,6 +226,7 @@ static void free_pipeline(pipeline *p)
 {
     il_select_free(p->select);
     il_rescaler_free(p->rescaler);
+    il_ras_free(p->ras);
     if (p->cleaner)
         il_cleaner_free(p->cleaner);
     il_matcher_free(p->matcher);
@@ -300,7 +281,8 @@ static il_status run(pipeline *p, il_error *err)
 il_status il_pipeline_run(il_result *result, const il_options *o, const il_plan *plan, il_voice *voice, il_error *err)
 {
     double start = il_clock_seconds();
-    pipeline p = { .options = o, .plan = plan, .account = &result->account };
+    pipeline p = { .options = o, .plan = plan, .account = &result->account,
+                   .nowhere = il_nowhere_contours(), .nowhere_mesh = il_nowhere_meshes() };
     bool folder = o->output && il_destination_is_folder(o->output);
     il_account_options a = { .keep_going = plan->survey || folder, .strict = o->strict, .voice = voice,
                              .input = o->n_inputs == 0 ? "-" : o->n_inputs == 1 ? o->input[0] : NULL };

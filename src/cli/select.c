@@ -1,23 +1,74 @@
 #include "config.h"
 #include "cli/select.h"
 #include "base/alloc.h"
+#include "base/text.h"
+#include "cli/pattern.h"
 
-#include <fnmatch.h>
+#include <stdio.h>
+#include <string.h>
 
+/* Names shown when nothing matches, and bytes of each. */
+enum { NAMES_SHOWN = 5, NAME_SHOWN = 40 };
+
+/* shown: the first names that were dropped, printable. */
 typedef struct select_stage {
     il_sink sink;
     il_sink *next;
-    const char *pattern;
+    const char *const *pattern;
+    size_t n_patterns;
     il_report *report;
     bool passing;
     size_t n_passed, n_dropped;
+    char shown[NAMES_SHOWN][NAME_SHOWN];
 } select_stage;
+
+/* ---- names ------------------------------------------------------------------ */
+
+static bool is_taken(const select_stage *s, const char *name)
+{
+    bool wanted = false, any = false;
+    for (size_t k = 0; k < s->n_patterns; k++) {
+        const char *p = s->pattern[k];
+        if (*p == '!' && il_pattern_matches(p + 1, name))
+            return false;
+        any |= *p != '!';
+        wanted |= *p != '!' && il_pattern_matches(p, name);
+    }
+    return wanted || !any;
+}
+
+static void remember(select_stage *s, const char *name)
+{
+    if (s->n_dropped < NAMES_SHOWN)
+        il_text_printable(s->shown[s->n_dropped], NAME_SHOWN, name, strlen(name));
+    s->n_dropped++;
+}
+
+static il_status fail_none(const select_stage *s, il_error *err)
+{
+    char list[NAMES_SHOWN * (NAME_SHOWN + 4) + 40] = "";
+    size_t n = 0, shown = s->n_dropped < NAMES_SHOWN ? s->n_dropped : NAMES_SHOWN;
+    if (s->n_dropped == 0)
+        return il_fail(err, IL_E_INPUT, 0, "there are no stacks to choose from");
+    for (size_t k = 0; k < shown; k++)
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s'%s'", k > 0 ? ", " : "", s->shown[k]);
+    if (s->n_dropped > shown)
+        snprintf(list + n, sizeof list - n, " and %zu more", s->n_dropped - shown);
+    return il_fail(err, IL_E_INPUT, 0, "no name matches '%.60s'%s; there are %s", s->pattern[0],
+                   s->n_patterns > 1 ? " and the other patterns" : "", list);
+}
+
+/* ---- the stage ---------------------------------------------------------------- */
 
 static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
 {
     select_stage *s = (select_stage *)self;
-    s->passing = fnmatch(s->pattern, il_stack_head_name(head), 0) == 0;
-    *(s->passing ? &s->n_passed : &s->n_dropped) += 1;
+    const char *name = il_stack_head_name(head);
+    s->passing = is_taken(s, name);
+    if (s->passing)
+        s->n_passed++;
+    else
+        remember(s, name);
     return s->passing ? s->next->stack_begin(s->next, head, err) : IL_OK;
 }
 
@@ -45,19 +96,21 @@ static il_status on_stack_end(il_sink *self, il_error *err)
 static il_status on_end(il_sink *self, il_error *err)
 {
     select_stage *s = (select_stage *)self;
-    if (s->n_passed == 0)
-        return il_fail(err, IL_E_INPUT, 0, "none of the %zu stacks has a name that matches '%.100s'",
-                       s->n_dropped, s->pattern);
-    return s->next->end(s->next, err);
+    return s->n_passed == 0 ? fail_none(s, err) : s->next->end(s->next, err);
 }
 
-il_status il_select_new(il_sink **out, const char *pattern, il_sink *next, il_report *report, il_error *err)
+il_status il_select_new(il_sink **out, const char *const *pattern, size_t n, il_sink *next,
+                        il_report *report, il_error *err)
 {
     *out = NULL;
     select_stage *s = il_calloc(1, sizeof *s);
     if (!s)
         return il_fail_nomem(err);
-    *s = (select_stage){ { on_stack_begin, on_slice, on_pair, on_stack_end, on_end }, next, pattern, report, false, 0, 0 };
+    s->sink = (il_sink){ on_stack_begin, on_slice, on_pair, on_stack_end, on_end };
+    s->next = next;
+    s->pattern = pattern;
+    s->n_patterns = n;
+    s->report = report;
     *out = &s->sink;
     return IL_OK;
 }

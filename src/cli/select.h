@@ -5,11 +5,14 @@
 #include "model/report.h"
 #include "model/sink.h"
 
-/* A sink that passes on to NEXT (borrowed) the stacks whose name matches the
- * shell pattern PATTERN (borrowed; fnmatch(3)) and drops the others, with what
- * REPORT has of them.
- * IL_E_INPUT at the end when none matched. */
-il_status il_select_new(il_sink **out, const char *pattern, il_sink *next, il_report *report, il_error *err);
+/* A sink that passes on to NEXT (borrowed) the stacks that PATTERN[0..N) choose
+ * and drops the others, with what REPORT has of them.  The patterns are those of
+ * the shell (borrowed; see cli/pattern.h); one that begins with !
+ * chooses what does not match the rest of it.  A stack is taken when one of the
+ * plain patterns matches its name, or there is none, and none of those with ! does.
+ * IL_E_INPUT at the end, with some of the names there are, when none was taken. */
+il_status il_select_new(il_sink **out, const char *const *pattern, size_t n, il_sink *next,
+                        il_report *report, il_error *err);
 void il_select_free(il_sink *s); /* null is fine */
 
 #endif

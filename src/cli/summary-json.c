@@ -1,5 +1,6 @@
 /* summary-json.c - the account of a run for programs (formats/summary.schema.json). */
 #include "config.h"
+#include "cli/oddities.h"
 #include "cli/summary.h"
 
 #include <sys/resource.h>
@@ -104,21 +105,70 @@ static void put_mesh(il_json *j, const il_stack_account *s)
     il_json_bool(j, s->has_mesh);
 }
 
-static void put_stack(il_json *j, const il_stack_account *s)
+void il_summary_json_color(il_json *j, const il_stack_account *s)
 {
-    il_json_open(j, '{');
+    il_json_key(j, "colour");
+    if (!s->has_color) {
+        il_json_null(j);
+        return;
+    }
+    il_json_open(j, '[');
+    for (int k = 0; k < 3; k++)
+        il_json_integer(j, s->color[k]);
+    il_json_close(j, ']');
+}
+
+static void put_head(il_json *j, const il_stack_account *s)
+{
+    const struct { const char *key, *text; } texts[] = {
+        { "type", s->type }, { "algorithm", s->algorithm }, { "frame_of_reference", s->frame_uid }, { "planes", s->planes } };
     il_json_key(j, "name");
     il_json_string(j, s->name);
     il_json_key(j, "number");
     s->has_number ? il_json_integer(j, s->number) : il_json_null(j);
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
+        il_json_key(j, texts[k].key);
+        il_json_string(j, texts[k].text);
+    }
+    il_summary_json_color(j, s);
     il_json_key(j, "unit");
     il_json_string(j, il_unit_name(s->unit));
+}
+
+static void put_oddity(void *self, const char *words)
+{
+    il_json_string(self, words);
+}
+
+static void put_oddities(il_json *j, const il_stack_account *s)
+{
+    il_json_key(j, "oddities");
+    il_json_open(j, '[');
+    il_oddities_each(s, put_oddity, j);
+    il_json_close(j, ']');
+}
+
+/* Null where the slices do not tell. */
+static void put_sums(il_json *j, const il_stack_account *s)
+{
+    put_number(j, "slice_sum", il_stack_account_slice_sum(s));
+    il_json_key(j, "trapezoid_sum");
+    s->slices > 1 || s->points == 0 ? il_json_number(j, il_sections_trapezoids(&s->sections)) : il_json_null(j);
+    put_number(j, "seconds", s->seconds);
+}
+
+static void put_stack(il_json *j, const il_stack_account *s)
+{
+    il_json_open(j, '{');
+    put_head(j, s);
     put_count(j, "slices", s->slices);
     put_count(j, "rings", s->rings);
     put_count(j, "points", s->points);
     put_heights(j, s);
     put_report(j, &s->report);
+    put_oddities(j, s);
     put_mesh(j, s);
+    put_sums(j, s);
     il_json_key(j, "file");
     il_json_string(j, s->file);
     il_json_key(j, "status");

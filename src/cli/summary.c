@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "cli/table.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -57,6 +58,22 @@ static const char *stack_label(const il_stack_account *s, size_t index, char *to
 }
 
 /* ---- the table ----------------------------------------------------------- */
+
+/* What the input calls it. */
+static void head_rows(il_output *out, const il_stack_account *s)
+{
+    const struct { const char *key, *text; } texts[] = {
+        { "type", s->type }, { "algorithm", s->algorithm }, { "frame", s->frame_uid }, { "planes", s->planes } };
+    if (s->has_number)
+        il_table_row(out, "number", "%ld", s->number);
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
+        char shown[120];
+        if (!texts[k].text)
+            continue;
+        il_text_printable(shown, sizeof shown, texts[k].text, strlen(texts[k].text));
+        il_table_row(out, texts[k].key, "%s", shown);
+    }
+}
 
 static void contour_rows(il_output *out, const il_stack_account *s)
 {
@@ -111,6 +128,27 @@ static void settled_row(il_output *out, const il_mesh_facts *f)
         il_table_row(out, "unpaired", "%.4g %% of the contours", 100 * f->length_alone / all);
 }
 
+/* A volume, and what it is in cm^3 where a unit is a mm. */
+static void volume_row(il_output *out, const char *key, double volume, il_unit unit, const char *words)
+{
+    if (!isfinite(volume))
+        il_table_row(out, key, "unknown: a single slice has no thickness");
+    else if (unit == IL_UNIT_MM)
+        il_table_row(out, key, "%.6g mm^3 = %.6g cm^3%s", volume, volume / 1000, words);
+    else
+        il_table_row(out, key, "%.6g %s^3%s", volume, il_unit_name(unit), words);
+}
+
+/* The volumes that the slices alone give. */
+static void sum_rows(il_output *out, const il_stack_account *s)
+{
+    if (s->points == 0)
+        return;
+    volume_row(out, "slice sum", il_stack_account_slice_sum(s), s->unit, ", areas x usual spacing");
+    if (s->slices > 1)
+        volume_row(out, "trapezoids", il_sections_trapezoids(&s->sections), s->unit, ", between neighbouring slices");
+}
+
 static void mesh_rows(il_output *out, const il_stack_account *s)
 {
     const il_mesh_facts *f = &s->facts;
@@ -125,7 +163,7 @@ static void mesh_rows(il_output *out, const il_stack_account *s)
         il_table_row(out, "pinches", "%zu, where the input touches itself", f->pinches);
     settled_row(out, f);
     il_table_row(out, "area", "%.6g %s^2", f->area, unit);
-    il_table_row(out, "volume", "%.6g %s^3", f->volume, unit);
+    volume_row(out, "volume", f->volume, s->unit, "");
 }
 
 static bool boxes_overlap(const double a[6], const double b[6])
@@ -158,12 +196,14 @@ static void stack_rows(il_output *out, const il_account *a, bool surface)
         const il_stack_account *s = &a->stack[k];
         char label[160];
         il_table_heading(out, "%s", stack_label(s, k, label, sizeof label));
-        if (s->has_number)
-            il_table_row(out, "number", "%ld", s->number);
+        head_rows(out, s);
         contour_rows(out, s);
         report_rows(out, &s->report);
-        if (surface)
-            mesh_rows(out, s);
+        if (!surface)
+            continue;
+        mesh_rows(out, s);
+        sum_rows(out, s);
+        il_table_row(out, "seconds", "%.3f", s->seconds);
     }
 }
 

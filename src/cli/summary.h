@@ -9,9 +9,10 @@
 /* The JSON account on one line, as formats/summary.schema.json has it, to OUT. */
 void il_summary_json(const il_result *r, il_output *out);
 
-/* Its parts, for accounts that say more: the key "stacks", and "seconds" with
- * "peak_bytes". */
+/* Its parts, for accounts that say more: the key "stacks", the one for a stack's
+ * colour, and "seconds" with "peak_bytes". */
 void il_summary_json_stacks(il_json *j, const il_result *r);
+void il_summary_json_color(il_json *j, const il_stack_account *s); /* "colour" */
 void il_summary_json_cost(il_json *j, double seconds);
 
 /* A table a stack, to OUT; without the surface for `check`. */

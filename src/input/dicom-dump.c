@@ -318,6 +318,7 @@ const il_reader il_reader_dcmdump = {
     .name = "dcmdump",
     .extensions = "",
     .words = "DICOM-RT structure set as the text of dcmdump +L",
+    .is_patient = true,
     .probe = probe,
     .read = read_all,
 };

@@ -318,4 +318,10 @@ static bool probe(const unsigned char *head, size_t n)
     return i < n ? is_type || (s[i] == '<' && is_svg_name(s + i + 1, n - i - 1)) : is_type;
 }
 
-const il_reader il_reader_svg = { "svg", "svg", "SVG-like polylines, paths and shapes by layer", probe, read_svg };
+const il_reader il_reader_svg = {
+    .name = "svg",
+    .extensions = "svg",
+    .words = "SVG-like polylines, paths and shapes by layer",
+    .probe = probe,
+    .read = read_svg,
+};

@@ -60,6 +60,23 @@ bool il_stack_head_set_name(il_stack_head *h, const char *s, size_t n)
     return true;
 }
 
+const char *il_stack_head_attribute(const il_stack_head *h, const char *key)
+{
+    for (size_t i = 0; i < h->n_attributes; i++)
+        if (strcmp(h->attribute[i].key, key) == 0)
+            return h->attribute[i].value;
+    return NULL;
+}
+
+bool il_stack_head_add_attribute(il_stack_head *h, const char *key, const char *value)
+{
+    if (!il_grow(&h->attribute, &h->cap_attributes, h->n_attributes + 1, sizeof *h->attribute))
+        return false;
+    il_attribute a = { il_strndup(key, strlen(key)), il_strndup(value, strlen(value)) };
+    h->attribute[h->n_attributes++] = a;
+    return a.key && a.value;
+}
+
 const char *il_stack_head_name(const il_stack_head *h)
 {
     return h->name ? h->name : "";

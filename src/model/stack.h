@@ -55,6 +55,15 @@ il_status il_stack_head_refuse_fault(const il_stack_head *h, il_error *err);
 /* The name, and "" when it has none. */
 const char *il_stack_head_name(const il_stack_head *h);
 
+/* The value of the first attribute called KEY, or null. */
+const char *il_stack_head_attribute(const il_stack_head *h, const char *key);
+/* Append an attribute; false when there is no memory. */
+bool il_stack_head_add_attribute(il_stack_head *h, const char *key, const char *value);
+
+/* The attribute that names the directions of world coordinates where they are
+ * not those of the format that they came from: "RAS". */
+#define IL_ATTRIBUTE_COORDINATES "coordinates"
+
 /* One plane with its rings; z in the stack's unit. */
 typedef struct il_slice {
     double z;

@@ -157,4 +157,9 @@ void il_mesh_spool_describe(const il_mesh_spool *m, size_t k, il_output *to, con
         il_output_string(to, start);
         il_output_comment(to, "crs ", h->crs);
     }
+    const char *coordinates = il_stack_head_attribute(h, IL_ATTRIBUTE_COORDINATES);
+    if (coordinates) {
+        il_output_string(to, start);
+        il_output_comment(to, "coordinates ", coordinates);
+    }
 }

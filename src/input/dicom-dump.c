@@ -101,10 +101,11 @@ static const char *last_hash(const char *s, size_t n)
     return n > 0 ? s + n - 1 : NULL;
 }
 
-/* Cut the value at S[0..N) at its tail, if it has one. */
-static void cut_tail(element_line *e, const char *s, size_t n)
+/* Cut the value at S[0..N) at its tail, if it has one; that begins in its last
+ * line, at FROM or later. */
+static void cut_tail(element_line *e, const char *s, size_t from, size_t n)
 {
-    const char *hash = last_hash(s, n);
+    const char *hash = last_hash(s + from, n - from);
     e->value = s;
     e->has_tail = hash && parse_tail(hash, (size_t)(s + n - hash), &e->vm);
     e->n = e->has_tail ? (size_t)(hash - s) : n;
@@ -126,7 +127,7 @@ static bool parse_element(element_line *e, const char *s, size_t n, long line)
         return false;
     memcpy(e->vr, s + i, 2);
     i = skip_blanks(s, n, i + 2);
-    cut_tail(e, s + i, n - i);
+    cut_tail(e, s + i, 0, n - i);
     return true;
 }
 
@@ -164,9 +165,10 @@ static il_status join_lines(dump *d, element_line *e)
             return il_fail(d->err, IL_E_INPUT, e->line, "the file ends inside this value: it was cut");
         if (d->n_value + n > d->max_value)
             return il_fail(d->err, IL_E_INPUT, e->line, "a value of more than %zu bytes", d->max_value);
+        size_t from = d->n_value + 1;
         if (!append(d, "\n", 1) || !append(d, line, n))
             return il_fail_nomem(d->err);
-        cut_tail(e, d->value, d->n_value);
+        cut_tail(e, d->value, from, d->n_value);
     }
     return IL_OK;
 }

@@ -22,22 +22,34 @@ static void scale_to_unit(double v[3])
         v[k] /= length;
 }
 
+/* Twice the area of C, whose points are pairs. */
+static double flat_area2(const il_rt_contour *c)
+{
+    const double *p = c->p;
+    double sum = 0;
+    for (size_t i = 2; i < c->n; i++)
+        sum += (p[2 * i - 2] - p[0]) * (p[2 * i + 1] - p[1]) - (p[2 * i] - p[0]) * (p[2 * i - 1] - p[1]);
+    return sum;
+}
+
 /* Twice the area of C as a vector across it: the sum of the cross products of
  * its points, seen from the first to keep the terms small. */
 static void area_vector(const il_rt_contour *c, double n[3])
 {
-    double first[3], before[3] = { 0, 0, 0 };
     memset(n, 0, 3 * sizeof *n);
-    il_rt_contour_point(c, 0, first);
-    for (size_t i = 1; i < c->n; i++) {
-        double p[3], part[3];
-        il_rt_contour_point(c, i, p);
-        for (size_t k = 0; k < 3; k++)
-            p[k] -= first[k];
-        cross(before, p, part);
+    if (c->layout != IL_RT_OBLIQUE) {
+        n[c->layout] = flat_area2(c);
+        return;
+    }
+    for (size_t i = 2; i < c->n; i++) {
+        double u[3], v[3], part[3];
+        for (size_t k = 0; k < 3; k++) {
+            u[k] = c->p[3 * i - 3 + k] - c->p[k];
+            v[k] = c->p[3 * i + k] - c->p[k];
+        }
+        cross(u, v, part);
         for (size_t k = 0; k < 3; k++)
             n[k] += part[k];
-        memcpy(before, p, sizeof before);
     }
 }
 

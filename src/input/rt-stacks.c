@@ -22,15 +22,21 @@ typedef struct lie {
     size_t contour;
 } lie;
 
-/* plane: of the ROI at hand; spacing: of its slices, 0 when there is one;
- * usual: of all ROIs together, likewise. */
+/* The planes of an ROI and their usual distance, 0 when there is one. */
+typedef struct view {
+    il_rt_plane plane;
+    double spacing;
+} view;
+
+/* view: of each ROI; usual: the median of their spacings, 0 when none has one.
+ * lie, level: of the contours of the ROI at hand. */
 typedef struct emission {
     const char *file;
     il_sink *sink;
     il_report *report;
-    il_rt_plane plane;
-    double spacing, usual;
     il_unit unit;
+    view *view;
+    double usual;
     lie *lie;           size_t n_lies, cap_lies;
     double *level;      size_t cap_levels;
     double *scratch;    size_t cap_scratch;
@@ -65,36 +71,47 @@ static void copy_levels(emission *e)
         e->level[i] = e->lie[i].level;
 }
 
-/* Plane, spacing and the contours by rising level; contours that lie across the
- * plane are left out of the spacing. */
-static il_status survey(emission *e, const il_rt_roi *r, il_error *err)
+/* All contours of R that are plane within FLAT by rising level; the others are
+ * counted in REPORT. */
+static il_status sort_contours(emission *e, const il_rt_roi *r, const il_rt_plane *plane, double flat,
+                               il_report *report, il_error *err)
 {
     if (!make_room(e, r->n + 1)) /* one more, so that there is something to sort */
         return il_fail_nomem(err);
-    e->plane = il_rt_plane_fit(r->contour, r->n, 2 * FLAT_MM);
     e->n_lies = 0;
     for (size_t i = 0; i < r->n; i++) {
-        lie *l = &e->lie[e->n_lies];
-        l->contour = i;
-        l->level = il_rt_plane_level(&e->plane, &r->contour[i], &l->spread);
-        e->n_lies += l->spread <= 2 * FLAT_MM ? 1 : 0;
+        lie l = { 0, 0, i };
+        l.level = il_rt_plane_level(plane, &r->contour[i], &l.spread);
+        if (l.spread <= flat)
+            e->lie[e->n_lies++] = l;
+        else
+            il_report_skip(report, e->file, r->contour[i].line, "contour", "it lies across the planes of its ROI's contours");
     }
     qsort(e->lie, e->n_lies, sizeof *e->lie, compare_lies);
     copy_levels(e);
-    e->spacing = il_rt_levels_spacing(e->level, e->n_lies, e->scratch);
     return IL_OK;
 }
 
-/* The median of the ROIs' spacings. */
-static il_status find_usual_spacing(emission *e, const il_rt_roi *roi, size_t n, il_error *err)
+/* Contours that lie across the planes are left out of the spacing. */
+static il_status find_view(emission *e, const il_rt_roi *r, view *v, il_error *err)
+{
+    v->plane = il_rt_plane_fit(r->contour, r->n, 2 * FLAT_MM);
+    il_status st = sort_contours(e, r, &v->plane, 2 * FLAT_MM, NULL, err);
+    if (st == IL_OK)
+        v->spacing = il_rt_levels_spacing(e->level, e->n_lies, e->scratch);
+    return st;
+}
+
+static il_status find_views(emission *e, const il_rt_roi *roi, size_t n, il_error *err)
 {
     double *spacing = il_alloc(n, sizeof *spacing);
     size_t many = 0;
-    il_status st = spacing ? IL_OK : il_fail_nomem(err);
+    e->view = il_alloc(n, sizeof *e->view);
+    il_status st = spacing && e->view ? IL_OK : il_fail_nomem(err);
     for (size_t k = 0; k < n && st == IL_OK; k++) {
-        st = survey(e, &roi[k], err);
-        if (st == IL_OK && e->spacing > 0)
-            spacing[many++] = e->spacing;
+        st = find_view(e, &roi[k], &e->view[k], err);
+        if (st == IL_OK && e->view[k].spacing > 0)
+            spacing[many++] = e->view[k].spacing;
     }
     if (st == IL_OK && many > 0) {
         qsort(spacing, many, sizeof *spacing, compare_doubles);
@@ -102,28 +119,6 @@ static il_status find_usual_spacing(emission *e, const il_rt_roi *roi, size_t n,
     }
     il_free(spacing);
     return st;
-}
-
-/* All contours of R that are flat enough, by rising level; the others are skipped. */
-static il_status sort_contours(emission *e, const il_rt_roi *r, il_error *err)
-{
-    il_status st = survey(e, r, err);
-    if (st != IL_OK)
-        return st;
-    double spacing = e->spacing > 0 ? e->spacing : e->usual;
-    double most = spacing > 0 ? FLAT_SHARE * spacing : FLAT_MM;
-    e->n_lies = 0;
-    for (size_t i = 0; i < r->n; i++) {
-        lie l = { 0, 0, i };
-        l.level = il_rt_plane_level(&e->plane, &r->contour[i], &l.spread);
-        if (l.spread <= most)
-            e->lie[e->n_lies++] = l;
-        else
-            il_report_skip(e->report, e->file, r->contour[i].line, "contour", "it lies across the planes of its ROI's contours");
-    }
-    qsort(e->lie, e->n_lies, sizeof *e->lie, compare_lies);
-    copy_levels(e);
-    return IL_OK;
 }
 
 /* ---- slices -------------------------------------------------------------------------- */
@@ -144,19 +139,19 @@ static int compare_xor(const void *a, const void *b)
 /* What is covered twice by XOR is not covered: of equal contours of that type
  * two and two cancel.  (Equal contours of the plain type are one given twice.)
  * C[0..N) are of one slice and kept alike. */
-static il_status cancel_xor_pairs(emission *e, il_rt_roi *r, const lie *l, size_t n, il_error *err)
+static il_status cancel_xor_pairs(emission *e, il_rt_roi *r, il_rt_layout layout, const lie *l, size_t n, il_error *err)
 {
     size_t many = 0;
     for (size_t i = 0; i < n; i++)
-        many += r->contour[l[i].contour].is_xor && r->contour[l[i].contour].layout == e->plane.layout;
-    if (many < 2 || e->plane.layout == IL_RT_OBLIQUE)
+        many += r->contour[l[i].contour].is_xor && r->contour[l[i].contour].layout == layout;
+    if (many < 2 || layout == IL_RT_OBLIQUE)
         return IL_OK;
     il_rt_contour **c = il_alloc(many, sizeof *c);
     if (!c)
         return il_fail_nomem(err);
     many = 0;
     for (size_t i = 0; i < n; i++)
-        if (r->contour[l[i].contour].is_xor && r->contour[l[i].contour].layout == e->plane.layout)
+        if (r->contour[l[i].contour].is_xor && r->contour[l[i].contour].layout == layout)
             c[many++] = &r->contour[l[i].contour];
     qsort(c, many, sizeof *c, compare_xor);
     for (size_t i = 1; i < many; i++) {
@@ -172,7 +167,7 @@ static il_status cancel_xor_pairs(emission *e, il_rt_roi *r, const lie *l, size_
 }
 
 /* The contour of L as a ring of S, whose plane it is moved onto. */
-static il_status add_ring(emission *e, il_slice *s, il_rt_roi *r, const lie *l, il_error *err)
+static il_status add_ring(emission *e, il_slice *s, il_rt_roi *r, const il_rt_plane *plane, const lie *l, il_error *err)
 {
     il_rt_contour *c = &r->contour[l->contour];
     size_t n = c->n;
@@ -182,7 +177,7 @@ static il_status add_ring(emission *e, il_slice *s, il_rt_roi *r, const lie *l, 
     if (!ring)
         return il_fail_nomem(err);
     ring->line = c->line;
-    ring->xy = il_rt_plane_flatten(&e->plane, c);
+    ring->xy = il_rt_plane_flatten(plane, c);
     ring->n = ring->cap = n;
     double move = fabs(l->level - s->z) + l->spread / 2;
     if (l->spread > MOVE_LEAST)
@@ -194,14 +189,14 @@ static il_status add_ring(emission *e, il_slice *s, il_rt_roi *r, const lie *l, 
     return IL_OK;
 }
 
-static il_status emit_slice(emission *e, il_rt_roi *r, size_t begin, size_t end, il_error *err)
+static il_status emit_slice(emission *e, il_rt_roi *r, const il_rt_plane *plane, size_t begin, size_t end, il_error *err)
 {
     il_slice s = IL_SLICE_INIT;
     s.z = il_rt_levels_height(e->level + begin, end - begin);
     s.line = r->contour[e->lie[begin].contour].line;
-    il_status st = cancel_xor_pairs(e, r, e->lie + begin, end - begin, err);
+    il_status st = cancel_xor_pairs(e, r, plane->layout, e->lie + begin, end - begin, err);
     for (size_t i = begin; i < end && st == IL_OK; i++)
-        st = add_ring(e, &s, r, &e->lie[i], err);
+        st = add_ring(e, &s, r, plane, &e->lie[i], err);
     if (st == IL_OK && s.n > 0)
         st = e->sink->slice(e->sink, &s, err);
     il_slice_free(&s);
@@ -222,7 +217,7 @@ static bool add_attribute(il_stack_head *h, const char *key, const char *value)
     return a.key && a.value;
 }
 
-static il_status fill_head(const emission *e, const il_rt_roi *r, il_stack_head *h, il_error *err)
+static il_status fill_head(const emission *e, const il_rt_roi *r, const il_rt_plane *plane, il_stack_head *h, il_error *err)
 {
     const char *name = r->name ? r->name : "", *fault = r->fault;
     h->unit = e->unit;
@@ -233,11 +228,11 @@ static il_status fill_head(const emission *e, const il_rt_roi *r, il_stack_head 
     memcpy(h->color, r->color, sizeof h->color);
     h->usual_spacing = e->usual;
     h->fault_line = r->fault_line;
-    if (e->plane.layout != IL_RT_ACROSS_Z) {
+    if (plane->layout != IL_RT_ACROSS_Z) {
         h->has_frame = true;
-        memcpy(h->frame + 3, e->plane.a, sizeof e->plane.a);
-        memcpy(h->frame + 6, e->plane.b, sizeof e->plane.b);
-        memcpy(h->frame + 9, e->plane.c, sizeof e->plane.c);
+        memcpy(h->frame + 3, plane->a, sizeof plane->a);
+        memcpy(h->frame + 6, plane->b, sizeof plane->b);
+        memcpy(h->frame + 9, plane->c, sizeof plane->c);
     }
     bool ok = il_stack_head_set_name(h, name, strlen(name)) && add_attribute(h, "RTROIInterpretedType", r->type) &&
               add_attribute(h, "ROIGenerationAlgorithm", r->algorithm) &&
@@ -246,28 +241,29 @@ static il_status fill_head(const emission *e, const il_rt_roi *r, il_stack_head 
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
-static il_status emit_slices(emission *e, il_rt_roi *r, il_error *err)
+static il_status emit_slices(emission *e, il_rt_roi *r, const il_rt_plane *plane, double spacing, il_error *err)
 {
-    double spacing = e->spacing > 0 ? e->spacing : e->usual > 0 ? e->usual : 1;
     il_status st = IL_OK;
     for (size_t begin = 0, end; begin < e->n_lies && st == IL_OK; begin = end) {
         end = il_rt_levels_slice(e->level, e->n_lies, begin, spacing);
-        st = emit_slice(e, r, begin, end, err);
+        st = emit_slice(e, r, plane, begin, end, err);
     }
     return st;
 }
 
-static il_status emit_stack(emission *e, il_rt_roi *r, il_error *err)
+/* Without any spacing planes a tenth of a millimetre apart are one. */
+static il_status emit_stack(emission *e, il_rt_roi *r, const view *v, il_error *err)
 {
     il_stack_head head = IL_STACK_HEAD_INIT;
+    double spacing = v->spacing > 0 ? v->spacing : e->usual, flat = spacing > 0 ? FLAT_SHARE * spacing : FLAT_MM;
     il_report_merge(e->report, &r->report);
-    il_status st = sort_contours(e, r, err);
+    il_status st = sort_contours(e, r, &v->plane, flat, e->report, err);
     if (st == IL_OK)
-        st = fill_head(e, r, &head, err);
+        st = fill_head(e, r, &v->plane, &head, err);
     if (st == IL_OK)
         st = e->sink->stack_begin(e->sink, &head, err);
     if (st == IL_OK && !r->fault)
-        st = emit_slices(e, r, err);
+        st = emit_slices(e, r, &v->plane, spacing > 0 ? spacing : 1, err);
     if (st == IL_OK)
         st = e->sink->stack_end(e->sink, err);
     il_stack_head_free(&head);
@@ -280,9 +276,10 @@ il_status il_rt_stacks_emit(il_rt_roi *roi, size_t n, const char *file, const il
 {
     emission e = { .file = file, .sink = sink, .report = report,
                    .unit = options->has_unit ? options->unit : IL_UNIT_MM };
-    il_status st = find_usual_spacing(&e, roi, n, err);
+    il_status st = find_views(&e, roi, n, err);
     for (size_t k = 0; k < n && st == IL_OK; k++)
-        st = emit_stack(&e, &roi[k], err);
+        st = emit_stack(&e, &roi[k], &e.view[k], err);
+    il_free(e.view);
     il_free(e.lie);
     il_free(e.level);
     il_free(e.scratch);

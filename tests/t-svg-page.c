@@ -52,7 +52,7 @@ static void numbers_are_short_and_do_not_drift(void **state)
     il_free(text);
     /* A thousand steps of a third end where they should, to a hundredth. */
     open_sheet(&s);
-    const il_svg_view v = { 0, 0, 0, 0, 1 };
+    const il_svg_view v = { 0, 0, 0, 0, 1, false };
     double xy[2002];
     for (int k = 0; k <= 1000; k++) {
         xy[2 * k] = k / 3.0;
@@ -278,7 +278,7 @@ static void make_squares(squares *q)
     q->phi[2] = (il_phi_point){ { 0, 1, 0.5 }, 2, 5 };
     q->phi[3] = (il_phi_point){ { 0, 2, 0 }, 0, 4 };
     q->phi[4] = (il_phi_point){ { 0, 3, 0 }, 0, 0 };
-    q->match = (il_match){ { { 0, 1, 0 }, { 0, 1, 0 } }, { { 0, 0, 0 }, { 0, 0, 0 } }, 0, 1 };
+    q->match = (il_match){ { { 0, 1, 0 }, { 0, 1, 0 } }, { { 0, 0, 0 }, { 0, 0, 0 } }, 0, 1, false };
     q->pair = (il_pair){ .matcher = IL_MATCHER_FFD, .phi = q->phi, .n_phi = 5, .match = &q->match, .n_matches = 1 };
 }
 

@@ -229,8 +229,9 @@ static void spacing_and_gaps_are_measured(void **state)
     il_error err = IL_ERROR_INIT;
     assert_int_equal(run(&a, &t, &o, names, &err), IL_OK);
     const il_stack_account *s = &a.stack[0];
-    assert_true(s->least_spacing == 1 && s->usual_spacing == 3 && s->largest_spacing == 5);
-    assert_int_equal(s->n_gaps, 0);
+    assert_true(s->spacing.least == 1 && s->spacing.usual == 1 && s->spacing.largest == 5);
+    assert_int_equal(s->n_gaps, 1);
+    assert_true(s->gap[0].below == 1 && s->gap[0].above == 6 && !s->gap[0].capped);
     assert_true(s->box[0] == 0 && s->box[3] == 2 && s->box[4] == 4 && s->box[5] == 6);
     assert_true(s->points == 3 && s->rings == 3);
     il_account_free(&a);

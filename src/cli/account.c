@@ -8,9 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Beyond this many usual spacings two slices are said to have a gap. */
-static const double GAP_SPACINGS = 2.5;
-
 static il_stack_account *current(il_account *a)
 {
     return &a->stack[a->n - 1];
@@ -68,6 +65,8 @@ static il_status open_record(il_account *a, const il_stack_head *head, il_error 
     a->stack[a->n++] = s;
     a->in_stack = true;
     a->skipping = false;
+    a->inserted_slices = a->inserted_rings = a->inserted_points = 0;
+    il_slicing_clear(&a->slicing);
     return IL_OK;
 }
 
@@ -83,10 +82,8 @@ static void widen(double box[6], double x, double y, double z)
 static il_status count_slice(il_account *a, const il_slice *slice, il_error *err)
 {
     il_stack_account *s = current(a);
-    if (!il_grow(&a->z, &a->cap_z, s->slices + 1, sizeof *a->z))
-        return il_fail_nomem(err);
-    a->z[s->slices++] = slice->z;
-    il_sections_slice(&s->sections, slice);
+    bool counts = !il_slice_is_inserted(slice);
+    s->slices++;
     s->rings += slice->n;
     for (size_t i = 0; i < slice->n; i++) {
         const il_ring *r = &slice->ring[i];
@@ -94,42 +91,41 @@ static il_status count_slice(il_account *a, const il_slice *slice, il_error *err
         for (size_t k = 0; k < r->n; k++)
             widen(s->box, r->xy[2 * k], r->xy[2 * k + 1], slice->z);
     }
-    return IL_OK;
+    if (!counts) {
+        a->inserted_slices++;
+        a->inserted_rings += slice->n;
+        a->inserted_points += il_slice_points(slice);
+    }
+    il_sections_slice(&s->sections, slice, counts);
+    return il_slicing_slice(&a->slicing, slice->z, counts, err);
 }
 
 /* ---- a record is closed -------------------------------------------------- */
 
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Least, median and largest distance of neighbouring slices, then the gaps. */
-static bool measure_spacing(il_account *a)
+/* What is told of the contours is told of the input's, unless there are none. */
+static void leave_out_inserted(il_account *a)
 {
     il_stack_account *s = current(a);
-    if (s->slices < 2)
-        return true;
-    size_t n = s->slices - 1;
-    double *d = il_alloc(n, sizeof *d);
-    if (!d)
-        return false;
-    for (size_t k = 0; k < n; k++)
-        d[k] = a->z[k + 1] - a->z[k];
-    qsort(d, n, sizeof *d, compare_doubles);
-    s->least_spacing = d[0];
-    s->usual_spacing = n % 2 ? d[n / 2] : (d[n / 2 - 1] + d[n / 2]) / 2;
-    s->largest_spacing = d[n - 1];
-    il_free(d);
-    for (size_t k = 0; k < n; k++) {
-        if (!(a->z[k + 1] - a->z[k] > GAP_SPACINGS * s->usual_spacing))
+    if (s->slices <= a->inserted_slices)
+        return;
+    s->slices -= a->inserted_slices;
+    s->rings -= a->inserted_rings;
+    s->points -= a->inserted_points;
+}
+
+static il_status find_gaps(il_account *a, il_error *err)
+{
+    const il_slicing *h = &a->slicing;
+    il_stack_account *s = current(a);
+    il_status st = il_spacing_measure(&s->spacing, h->z, h->n, err);
+    for (size_t k = 1; k < h->n && st == IL_OK; k++) {
+        if (!h->gap_below[k] && !il_spacing_is_gap(&s->spacing, h->z[k - 1], h->z[k]))
             continue;
         if (!il_grow(&s->gap, &s->cap_gaps, s->n_gaps + 1, sizeof *s->gap))
-            return false;
-        s->gap[s->n_gaps++] = (il_gap){ a->z[k], a->z[k + 1] };
+            return il_fail_nomem(err);
+        s->gap[s->n_gaps++] = (il_gap){ h->z[k - 1], h->z[k], h->gap_below[k] };
     }
-    return true;
+    return st;
 }
 
 /* Rounding cleans again what is clean: what it finds is new, but for the
@@ -155,7 +151,8 @@ static il_status close_record(il_account *a, il_error *err)
     const char *file = s->status == IL_OK && a->options.file_of ? a->options.file_of(a->options.file_of_self) : NULL;
     if (file && !(s->file = il_strndup(file, strlen(file))))
         return il_fail_nomem(err);
-    return measure_spacing(a) ? IL_OK : il_fail_nomem(err);
+    leave_out_inserted(a);
+    return find_gaps(a, err);
 }
 
 static void fail_record(il_account *a, il_status st, const il_error *err)
@@ -242,6 +239,8 @@ static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
 {
     il_account *a = of_contours(self);
     il_sections_pair(&current(a)->sections, pair);
+    if (pair->gap)
+        il_slicing_gap(&a->slicing);
     return a->skipping ? IL_OK : settle(a, a->next->pair(a->next, pair, err), err);
 }
 
@@ -331,17 +330,16 @@ void il_account_free(il_account *a)
     for (size_t k = 0; k < a->n; k++)
         stack_account_free(&a->stack[k]);
     il_free(a->stack);
-    il_free(a->z);
+    il_slicing_free(&a->slicing);
     il_report_free(&a->report);
     il_report_free(&a->rounding);
     a->stack = NULL;
-    a->z = NULL;
-    a->n = a->cap = a->cap_z = 0;
+    a->n = a->cap = 0;
 }
 
 double il_stack_account_slice_sum(const il_stack_account *s)
 {
-    double spacing = s->slices > 1 ? s->usual_spacing : s->set_spacing;
+    double spacing = s->spacing.usual > 0 ? s->spacing.usual : s->set_spacing;
     return s->points == 0 ? 0 : spacing > 0 ? s->sections.areas * spacing : NAN;
 }
 

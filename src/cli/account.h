@@ -7,16 +7,23 @@
 
 #include "cli/message.h"
 #include "cli/sections.h"
+#include "cli/slicing.h"
 #include "model/mesh.h"
 #include "model/report.h"
 #include "model/sink.h"
+#include "model/spacing.h"
 
-/* Two neighbouring slices much farther apart than is usual in their stack. */
-typedef struct il_gap { double below, above; } il_gap;
+/* Two neighbouring slices much farther apart than is usual in their stack, or with
+ * a gap record.  capped: nothing joins them. */
+typedef struct il_gap {
+    double below, above;
+    bool capped;
+} il_gap;
 
-/* Lengths in the stack's unit.  name: UTF-8 as the input has it.  least, usual
- * (the median) and largest spacing: 0 with fewer than two slices.  box: least
- * x, y, z and greatest x, y, z; least > greatest when there is no vertex.
+/* Lengths in the stack's unit.  name: UTF-8 as the input has it.  box: least
+ * x, y, z and greatest x, y, z; least > greatest when there is no vertex.  Slices
+ * of inserted vertices alone count for the box and the surface only, unless there
+ * are no others.
  * set_spacing: usual in the set that the stack came from, 0 unknown.  type,
  * algorithm, frame_uid: of an ROI, or null.  planes: where slices lie otherwise
  * than across z, in words, or null.  seconds: from the stack's arrival at the
@@ -33,7 +40,8 @@ typedef struct il_stack_account {
     il_unit unit;
     size_t slices, rings, points;
     double box[6];
-    double least_spacing, usual_spacing, largest_spacing, set_spacing;
+    il_spacing spacing;
+    double set_spacing;
     il_sections sections;
     double began, seconds;
     il_gap *gap;        size_t n_gaps, cap_gaps;
@@ -57,8 +65,9 @@ typedef struct il_account_options {
 
 /* report: for all stages to count into; what is in it goes to the stack that
  * ends next.  rounding: that of the stage that rounds for STL, which cleans what
- * is clean already.  z: the heights of the current stack.  skipping: it has failed, and what
- * still comes of it is dropped.
+ * is clean already.  slicing, inserted_...: of the current stack, and how much of
+ * its slices isoloft put there (il_slice_is_inserted).  skipping: it has failed,
+ * and what still comes of it is dropped.
  * worst: the highest code of any stack. */
 typedef struct il_account {
     il_sink contours;
@@ -68,7 +77,8 @@ typedef struct il_account {
     il_account_options options;
     il_report report, rounding;
     il_stack_account *stack;    size_t n, cap;
-    double *z;                  size_t cap_z;
+    il_slicing slicing;
+    size_t inserted_slices, inserted_rings, inserted_points;
     bool in_stack, in_mesh, skipping;
     size_t n_triangles;
     il_status worst;

@@ -55,12 +55,14 @@ static void tell_spacing(const teller *t, const il_stack_account *s)
 {
     if (s->points > 0 && s->slices == 1)
         tell(t, "single slice");
+    else
+        tell_count(t, s->report.repair[IL_REPAIR_THICKENED_SLICE], "slice alone beside a gap", "slices alone beside gaps");
     tell_count(t, s->n_gaps, "gap", "gaps");
-    bool short_ones = differs(s->least_spacing, s->usual_spacing);
-    bool long_ones = s->n_gaps == 0 && differs(s->largest_spacing, s->usual_spacing);
+    bool short_ones = differs(s->spacing.least, s->spacing.usual);
+    bool long_ones = s->n_gaps == 0 && differs(s->spacing.largest, s->spacing.usual);
     if (s->slices > 2 && (short_ones || long_ones))
         tell(t, "uneven spacing");
-    if (s->slices > 1 && s->set_spacing > 0 && differs(s->usual_spacing, s->set_spacing))
+    if (s->slices > 1 && s->set_spacing > 0 && differs(s->spacing.usual, s->set_spacing))
         tell(t, "spacing unlike the others'");
 }
 

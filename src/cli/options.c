@@ -176,6 +176,25 @@ static il_status set_cap(il_options *o, const char *value, bool on, il_error *er
     return IL_OK;
 }
 
+static il_status set_gap(il_options *o, const char *value, bool on, il_error *err)
+{
+    static const char *const words[] = { [IL_GAPS_BRIDGE] = "bridge", [IL_GAPS_CAP] = "cap", [IL_GAPS_FAIL] = "fail" };
+    (void)on;
+    for (int k = IL_GAPS_BRIDGE; k <= IL_GAPS_FAIL; k++) {
+        if (strcmp(value, words[k]) == 0) {
+            o->gap = (il_gap_mode)k;
+            return IL_OK;
+        }
+    }
+    return il_fail(err, IL_E_USAGE, 0, "--gap is bridge, cap or fail, not '%.40s'", value);
+}
+
+static il_status set_thickness(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return parse_length(value, &o->thickness, "--thickness", err);
+}
+
 static il_status set_groups(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
@@ -344,6 +363,10 @@ const il_option il_option_table[] = {
       NULL, "distance of a flattened curve from the true one", set_flatness },
     { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
       "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
+    { 0, "gap", "bridge|cap|fail", IL_OPTION_VALUE, STREAMS,
+      NULL, "what missing slices leave: joined or closed", set_gap },
+    { 0, "thickness", "T", IL_OPTION_VALUE, STREAMS,
+      NULL, "of single slices, input's unit; else a spacing", set_thickness },
     { 0, "matcher", "ffd|none", IL_OPTION_VALUE, LOFTERS | MATCH,
       NULL, "how slices are matched: deformed, or as they lie", set_matcher },
     { 0, "lattice", NULL, IL_OPTION_SWITCH, CONVERT | MATCH | MESH,

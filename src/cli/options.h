@@ -9,6 +9,7 @@
 #include "input/reader.h"
 #include "loft/lofter.h"
 #include "output/writer.h"
+#include "region/gapper.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -28,7 +29,8 @@ enum { IL_THREADS_MOST = 256 };
 /* Texts are borrowed from argv; null where the option was not given.
  * from: null when the format is to be found out.  to: null only for verbs that
  * write neither contours nor meshes.  threads 0: as many as
- * there are processors.  verb_given: the verb stood there by name. */
+ * there are processors.  verb_given: the verb stood there by name.  gap: AS_GIVEN
+ * when the option was not; thickness: 0 likewise. */
 typedef struct il_options {
     il_action action;
     il_verb verb;
@@ -44,6 +46,8 @@ typedef struct il_options {
     il_unit to_unit;
     il_read_options read;
     il_cap cap;
+    il_gap_mode gap;
+    double thickness;
     il_picture_options picture;
     il_matcher matcher;
     bool keep_lattices;

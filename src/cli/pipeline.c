@@ -27,7 +27,7 @@ typedef struct pipeline {
     const il_reader *reader;
     il_destination *destination;
     il_output *pairs;
-    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *cleaner, *ras, *rescaler, *select, *first;
+    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *gapper, *cleaner, *ras, *rescaler, *select, *first;
     il_refit *refit;
     il_sink nowhere;
     il_mesh_sink nowhere_mesh;
@@ -172,6 +172,22 @@ static il_status build_matcher(pipeline *p, il_error *err)
     return st;
 }
 
+/* Structure sets lack slices as a matter of course; what streams one slice at a
+ * time goes on doing so unless it is asked for. */
+static il_status build_gapper(pipeline *p, il_error *err)
+{
+    const il_options *o = p->options;
+    bool is_set = p->reader->is_patient;
+    if (p->plan->draw || !(is_set || o->gap != IL_GAPS_AS_GIVEN || o->thickness > 0))
+        return IL_OK;
+    il_gap_options g = { o->gap, o->thickness, is_set };
+    if (is_set && g.mode == IL_GAPS_AS_GIVEN)
+        g.mode = IL_GAPS_CAP;
+    il_status st = il_gapper_new(&p->gapper, &g, p->first, &p->account->report, err);
+    p->first = st == IL_OK ? p->gapper : p->first;
+    return st;
+}
+
 static il_status build_cleaner(pipeline *p, il_error *err)
 {
     if (p->plan->draw)
@@ -213,7 +229,7 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_matcher, build_cleaner, build_ras, build_rescaler, build_select };
+        build_rounder, build_tee, build_matcher, build_gapper, build_cleaner, build_ras, build_rescaler, build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
     p->first = il_account_contours(p->account, end);
@@ -229,6 +245,7 @@ static void free_pipeline(pipeline *p)
     il_ras_free(p->ras);
     if (p->cleaner)
         il_cleaner_free(p->cleaner);
+    il_gapper_free(p->gapper);
     il_matcher_free(p->matcher);
     il_refit_free(p->refit);
     il_tee_free(p->tee);

@@ -1,7 +1,7 @@
 /* pipeline.h - the stages put together and run.
  *
- *     reader > select > rescale > [ras] > clean > match > [pairs] > [round] > account
- *            > contour writer, or lofter > account > mesh writer
+ *     reader > select > rescale > [ras] > clean > [gaps] > match > [pairs] > [round]
+ *            > account > contour writer, or lofter > account > mesh writer
  *
  * Rounding for STL is a cleaning stage of its own behind the matching, so that
  * `read | match | mesh` and `convert` do the same to the same numbers. */

@@ -65,9 +65,9 @@ static void put_heights(il_json *j, const il_stack_account *s)
     il_json_close(j, ']');
     il_json_key(j, "spacing");
     il_json_open(j, '{');
-    put_number(j, "least", s->least_spacing);
-    put_number(j, "usual", s->usual_spacing);
-    put_number(j, "largest", s->largest_spacing);
+    put_number(j, "least", s->spacing.least);
+    put_number(j, "usual", s->spacing.usual);
+    put_number(j, "largest", s->spacing.largest);
     il_json_close(j, '}');
     il_json_key(j, "gaps");
     il_json_open(j, '[');
@@ -75,6 +75,8 @@ static void put_heights(il_json *j, const il_stack_account *s)
         il_json_open(j, '{');
         put_number(j, "from", s->gap[k].below);
         put_number(j, "to", s->gap[k].above);
+        il_json_key(j, "capped");
+        il_json_bool(j, s->gap[k].capped);
         il_json_close(j, '}');
     }
     il_json_close(j, ']');

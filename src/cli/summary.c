@@ -89,10 +89,11 @@ static void contour_rows(il_output *out, const il_stack_account *s)
         il_table_row(out, "slices", "%zu, all empty", s->slices);
     }
     if (s->slices > 1)
-        il_table_row(out, "spacing", "%.6g %s (least %.6g, largest %.6g)", s->usual_spacing, unit,
-            s->least_spacing, s->largest_spacing);
+        il_table_row(out, "spacing", "%.6g %s (least %.6g, largest %.6g)", s->spacing.usual, unit,
+            s->spacing.least, s->spacing.largest);
     for (size_t k = 0; k < s->n_gaps && k < LINES_FEW; k++)
-        il_table_row(out, "gap", "z from %.9g to %.9g %s", s->gap[k].below, s->gap[k].above, unit);
+        il_table_row(out, "gap", "z from %.9g to %.9g %s, %s", s->gap[k].below, s->gap[k].above, unit,
+                     s->gap[k].capped ? "closed on either side" : "joined across");
     if (s->n_gaps > LINES_FEW)
         il_table_row(out, "gap", "and %zu more", s->n_gaps - LINES_FEW);
     il_table_row(out, "rings", "%zu", s->rings);
@@ -220,6 +221,21 @@ void il_summary_contours(const il_result *r, il_output *out)
 
 /* ---- on standard error --------------------------------------------------- */
 
+/* Gaps that are joined across, and those that are not, the first of either. */
+static void say_gaps(const il_stack_account *s, const char *label, il_voice *v)
+{
+    for (int capped = 0; capped < 2; capped++) {
+        size_t n = 0, first = 0;
+        for (size_t k = s->n_gaps; k-- > 0;)
+            if (s->gap[k].capped == capped)
+                first = k, n++;
+        if (n > 0)
+            il_message_note(v, "%s: %zu gap%s %s, %sfrom z %.9g to %.9g", label, n, n == 1 ? "" : "s",
+                            capped ? "closed on either side" : "wider than 2.5 usual spacings joined across",
+                            n == 1 ? "" : "the first ", s->gap[first].below, s->gap[first].above);
+    }
+}
+
 static void say_report(const il_stack_account *s, const char *label, il_voice *v)
 {
     char text[TEXT];
@@ -236,9 +252,7 @@ static void say_report(const il_stack_account *s, const char *label, il_voice *v
     }
     if (r->n_skips > shown)
         il_message_note(v, "skipped: %zu parts in all (-v lists more)", r->n_skipped);
-    if (s->n_gaps > 0)
-        il_message_note(v, "%s: %zu gap%s wider than 2.5 usual spacings, the first from z %.9g to %.9g",
-                        label, s->n_gaps, s->n_gaps == 1 ? "" : "s", s->gap[0].below, s->gap[0].above);
+    say_gaps(s, label, v);
 }
 
 static void say_stack(const il_stack_account *s, const char *label, il_voice *v)

@@ -33,7 +33,9 @@ enum {
 #define IL_READ_OPTIONS_INIT { 0, false, false, false, IL_UNIT_MM, 0, IL_LIMIT_LINE, IL_LIMIT_DEPTH, IL_LIMIT_POINTS }
 
 /* name: as after -f.  extensions: space-separated, without the point.
- * words: for --formats.  is_patient: coordinates are those of a patient (LPS).  probe: do the first N bytes look like this format?
+ * words: for --formats.  is_patient: structures that a person drew in a patient;
+ * coordinates are LPS, slices may be missing, and an empty one says nothing.
+ * probe: do the first N bytes look like this format?
  * read: read all of the N sources, in the order given, as one set into SINK
  * (many for formats whose files are slices; native streams follow one another).
  * A failure is reported in *ERR with the source's name and the line. */

@@ -22,6 +22,7 @@ static const struct { const char *key, *words; } repairs[IL_N_REPAIRS] = {
     [IL_REPAIR_FLATTENED_POINT] = { "flattened_points", "point moved into the plane of its contour" },
     [IL_REPAIR_MOVED_CONTOUR]   = { "moved_contours",   "contour moved onto the plane of its slice" },
     [IL_REPAIR_XOR_PAIR]        = { "xor_pairs",        "pair of equal XOR contours, which cancel" },
+    [IL_REPAIR_THICKENED_SLICE] = { "thickened_slices", "single slice given a thickness" },
     [IL_REPAIR_ROUNDED_POINT]   = { "rounded_points",   "point rounded to 32-bit floats" },
 };
 

@@ -23,6 +23,7 @@ typedef enum il_repair {
     IL_REPAIR_FLATTENED_POINT,  /* points moved into the plane of their contour */
     IL_REPAIR_MOVED_CONTOUR,    /* contours moved onto the plane of their slice */
     IL_REPAIR_XOR_PAIR,         /* equal contours of type CLOSEDPLANAR_XOR, which cancel */
+    IL_REPAIR_THICKENED_SLICE,  /* a slice that nothing is joined to, given a thickness */
     IL_REPAIR_ROUNDED_POINT,    /* coordinates rounded to 32-bit floats (STL) */
     IL_N_REPAIRS
 } il_repair;

@@ -86,6 +86,8 @@ static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_err
     if (st != IL_OK)
         return st;
     copy.unit = r->to;
+    copy.length_scale = r->numerator / r->denominator;
+    convert_length(r, &copy.usual_spacing);
     if (copy.crs) {
         il_report_note(r->report, "the CRS is dropped: its coordinates are not in %s", il_unit_name(r->to));
         il_free(copy.crs);

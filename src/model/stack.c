@@ -179,6 +179,18 @@ static unsigned char mark_of(const il_ring *r, size_t i)
     return r->mark ? r->mark[i] : 0;
 }
 
+bool il_slice_is_inserted(const il_slice *s)
+{
+    bool any = false;
+    for (size_t i = 0; i < s->n; i++) {
+        any |= s->ring[i].n > 0;
+        for (size_t k = 0; k < s->ring[i].n; k++)
+            if (!(mark_of(&s->ring[i], k) & IL_VERTEX_INSERTED))
+                return false;
+    }
+    return any;
+}
+
 bool il_slice_equal_rings(const il_slice *a, const il_slice *b)
 {
     if (a->n != b->n)

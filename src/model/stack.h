@@ -23,7 +23,9 @@ typedef struct il_attribute { char *key, *value; } il_attribute;
  * (3 numbers each): a point (x, y, z) of the stack lies at o + x a + y b + z c.
  * fault: why the reader could not make sense of the stack, null when it could;
  * a stack with a fault has no slices.  usual_spacing: of the slices of the set
- * that it came from, 0 when that is not known; for those that have no other. */
+ * that it came from, 0 when that is not known; for those that have no other.
+ * length_scale: what its lengths were multiplied by since they were read, 0 where
+ * they were not. */
 typedef struct il_stack_head {
     char *name;
     char *crs;
@@ -33,7 +35,7 @@ typedef struct il_stack_head {
     il_kind kind;
     il_unit unit;
     double frame[12];
-    double usual_spacing;
+    double usual_spacing, length_scale;
     char *fault;
     long fault_line;
     il_attribute *attribute;
@@ -81,6 +83,8 @@ il_ring *il_slice_add_ring(il_slice *s);
 /* Area of the region, unit^2: sum of the rings' signed areas (normalised slice). */
 double il_slice_area(const il_slice *s);
 size_t il_slice_points(const il_slice *s);
+/* Are there vertices, all of them marked as inserted?  Such a slice is isoloft's own. */
+bool il_slice_is_inserted(const il_slice *s);
 /* The same rings in the same order, bit for bit, with the same marks? */
 bool il_slice_equal_rings(const il_slice *a, const il_slice *b);
 /* TO is overwritten, whatever it held; empty after failure. */

@@ -361,6 +361,7 @@ const il_reader il_reader_dicom_json = {
     .name = "dicom-json",
     .extensions = "",
     .words = "DICOM-RT structure set as DICOM JSON (dcm2json)",
+    .is_patient = true,
     .probe = probe,
     .read = read_all,
 };

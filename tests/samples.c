@@ -2,6 +2,7 @@
 #include "samples.h"
 #include "output/writer.h"
 #include "region/clean.h"
+#include "region/keyhole.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -98,7 +99,7 @@ static il_status on_end(il_sink *self, il_error *err)
 /* What `isoloft read` prints, in memory; null after a failure. */
 static il_output *read_sample(const sample *s, const char *text, size_t n, il_error *err)
 {
-    const il_clean_options clean = { 0 };
+    const il_clean_options clean = { .keyhole = s->kind->reader->is_patient ? IL_KEYHOLE_MM : 0, .keyhole_is_mm = true };
     const il_read_options defaults = IL_READ_OPTIONS_INIT;
     il_read_options o = s->kind->options ? s->kind->options(text) : defaults;
     il_source *source = NULL;

@@ -60,6 +60,28 @@ static void the_first_operand_alone_can_be_a_verb(void **state)
     il_options_free(&o);
 }
 
+static void keyhole_has_a_value_and_can_be_taken_back(void **state)
+{
+    (void)state;
+    char buf[400];
+    il_options o;
+    il_error err;
+    static const struct { const char *line; double keyhole; bool given; } c[] = {
+        { "x", 0, false }, { "--keyhole 0.25 x", 0.25, true }, { "--keyhole=0 x", 0, true },
+        { "--keyhole 1 --no-keyhole x", 0, true }, { "--no-keyhole --keyhole 2 x", 2, true } };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
+        assert_int_equal(PARSE(o, c[k].line), IL_OK);
+        assert_true(o.keyhole == c[k].keyhole);
+        assert_int_equal(o.has_keyhole, c[k].given);
+        assert_int_equal(o.n_inputs, 1);
+        il_options_free(&o);
+    }
+    assert_int_equal(PARSE(o, "--keyhole"), IL_E_USAGE);
+    il_options_free(&o);
+    assert_int_equal(PARSE(o, "--no-keyhole=1 x"), IL_E_USAGE);
+    il_options_free(&o);
+}
+
 static void every_switch_can_be_taken_back(void **state)
 {
     (void)state;
@@ -183,6 +205,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(operands_and_options_stand_in_any_order),
         cmocka_unit_test(the_first_operand_alone_can_be_a_verb),
+        cmocka_unit_test(keyhole_has_a_value_and_can_be_taken_back),
         cmocka_unit_test(every_switch_can_be_taken_back),
         cmocka_unit_test(the_format_follows_the_name_unless_t_gives_it),
         cmocka_unit_test(what_makes_no_sense_is_a_usage_error),

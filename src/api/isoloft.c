@@ -18,6 +18,7 @@
 #include "match/refit.h"
 #include "output/writer.h"
 #include "region/clean.h"
+#include "region/keyhole.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -222,7 +223,8 @@ static il_status build_lofter(work *w, bool rounds, il_error *err)
 static il_status build_stages(work *w, il_error *err)
 {
     bool rounds = w->writer && w->writer->round_float;
-    il_clean_options as_is = { .round_float = false }, rounded = { .round_float = true };
+    bool is_set = w->reader && w->reader->is_patient;
+    il_clean_options as_is = { .keyhole = is_set ? IL_KEYHOLE_MM : 0, .keyhole_is_mm = true }, rounded = { .round_float = true };
     il_match_options m = IL_MATCH_OPTIONS_INIT;
     m.matcher = w->settings.unmatched ? IL_MATCHER_NONE : IL_MATCHER_FFD;
     m.threads = threads_of(&w->settings);

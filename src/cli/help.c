@@ -36,7 +36,7 @@ static void option_line(il_output *out, const il_option *p, const char *words)
     char letter[8] = "    ", name[64], line[160];
     if (p->letter)
         snprintf(letter, sizeof letter, "-%c, ", p->letter);
-    bool value = p->kind == IL_OPTION_VALUE, maybe = p->kind == IL_OPTION_MAYBE;
+    bool value = p->kind == IL_OPTION_VALUE || p->kind == IL_OPTION_VALUE_OR_NO, maybe = p->kind == IL_OPTION_MAYBE;
     snprintf(name, sizeof name, "%s%s%s%s", p->name, value ? " " : maybe ? "[=" : "",
              value || maybe ? p->argument : "", maybe ? "]" : "");
     snprintf(line, sizeof line, "  %s--%-22s %s\n", letter, name, words);

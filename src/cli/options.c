@@ -167,6 +167,16 @@ static il_status set_max_points(il_options *o, const char *value, bool on, il_er
     return parse_count(value, 1, LIMIT_MOST, &o->read.max_points, "--max-points", err);
 }
 
+static il_status set_keyhole(il_options *o, const char *value, bool on, il_error *err)
+{
+    size_t n = on ? strlen(value) : 0;
+    o->has_keyhole = true;
+    o->keyhole = 0;
+    if (!on || (n > 0 && il_number_parse(value, n, &o->keyhole) == n && o->keyhole >= 0 && o->keyhole < 1e15))
+        return IL_OK;
+    return il_fail(err, IL_E_USAGE, 0, "--keyhole takes a number from 0 on, not '%.40s'", value);
+}
+
 static il_status set_cap(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
@@ -361,6 +371,8 @@ const il_option il_option_table[] = {
       NULL, "SVG: y points down and is turned up (default)", set_flip },
     { 0, "flatness", "D", IL_OPTION_VALUE, READERS,
       NULL, "distance of a flattened curve from the true one", set_flatness },
+    { 0, "keyhole", "D", IL_OPTION_VALUE_OR_NO, READERS,
+      NULL, "how far the sides of a keyhole are apart; 0: off", set_keyhole },
     { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
       "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
     { 0, "gap", "bridge|cap|fail", IL_OPTION_VALUE, STREAMS,
@@ -435,9 +447,14 @@ static il_status apply(il_options *o, const il_option *p, const char *value, boo
     return p->set(o, value, on, err);
 }
 
+static bool needs_value(const il_option *p)
+{
+    return p->kind == IL_OPTION_VALUE || p->kind == IL_OPTION_VALUE_OR_NO;
+}
+
 static bool can_be_negated(const il_option *p)
 {
-    return p->kind == IL_OPTION_SWITCH || p->kind == IL_OPTION_MAYBE;
+    return p->kind == IL_OPTION_SWITCH || p->kind == IL_OPTION_MAYBE || p->kind == IL_OPTION_VALUE_OR_NO;
 }
 
 /* argv[*i] is "--NAME" or "--NAME=VALUE"; the value may be argv[*i + 1]. */
@@ -458,7 +475,7 @@ static il_status parse_long(il_options *o, int argc, char **argv, int *i, il_err
                        n < 60 ? (int)n : 60, name);
     if (value && (!on || p->kind == IL_OPTION_SWITCH || p->kind == IL_OPTION_ACTION))
         return il_fail(err, IL_E_USAGE, 0, "--%s%s takes no value", on ? "" : "no-", p->name);
-    if (p->kind == IL_OPTION_VALUE && !value) {
+    if (needs_value(p) && on && !value) {
         if (*i + 1 >= argc)
             return il_fail(err, IL_E_USAGE, 0, "--%s needs a value: %s", p->name, p->argument);
         value = argv[++*i];
@@ -475,7 +492,7 @@ static il_status parse_letters(il_options *o, int argc, char **argv, int *i, il_
         if (!p)
             return il_fail(err, IL_E_USAGE, 0, "there is no option '-%.*s' (--help lists them)", 1, s);
         const char *value = NULL;
-        if (p->kind == IL_OPTION_VALUE) {
+        if (needs_value(p)) {
             if (!s[1] && *i + 1 >= argc)
                 return il_fail(err, IL_E_USAGE, 0, "-%c needs a value: %s", *s, p->argument);
             value = s[1] ? s + 1 : argv[++*i];

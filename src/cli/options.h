@@ -45,6 +45,8 @@ typedef struct il_options {
     bool json, quiet, verbose, strict, convert_unit, groups_by_slab, list, ras;
     il_unit to_unit;
     il_read_options read;
+    bool has_keyhole;
+    double keyhole;             /* tolerance in the unit of the stacks, 0: off */
     il_cap cap;
     il_gap_mode gap;
     double thickness;
@@ -66,6 +68,7 @@ il_status il_options_parse(il_options *o, int argc, char **argv, il_error *err);
 typedef enum il_option_kind {
     IL_OPTION_SWITCH,           /* --NAME, --no-NAME */
     IL_OPTION_VALUE,            /* --NAME ARG, --NAME=ARG */
+    IL_OPTION_VALUE_OR_NO,      /* likewise, and --no-NAME */
     IL_OPTION_MAYBE,            /* --NAME, --NAME=ARG, --no-NAME */
     IL_OPTION_ACTION            /* --NAME */
 } il_option_kind;

@@ -13,6 +13,7 @@
 #include "model/rescale.h"
 #include "model/tee.h"
 #include "region/clean.h"
+#include "region/keyhole.h"
 
 #include <string.h>
 #include <sys/resource.h>
@@ -192,7 +193,11 @@ static il_status build_cleaner(pipeline *p, il_error *err)
 {
     if (p->plan->draw)
         return IL_OK;
-    il_clean_options c = { .round_float = false };
+    il_clean_options c = { .keyhole = p->options->keyhole };
+    if (!p->options->has_keyhole && p->reader->is_patient) {
+        c.keyhole = IL_KEYHOLE_MM;
+        c.keyhole_is_mm = true;
+    }
     il_status st = il_cleaner_new(&p->cleaner, &c, p->first, &p->account->report, err);
     p->first = st == IL_OK ? p->cleaner : p->first;
     return st;

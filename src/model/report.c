@@ -13,6 +13,7 @@ static const struct { const char *key, *words; } repairs[IL_N_REPAIRS] = {
     [IL_REPAIR_DEGENERATE_RING] = { "degenerate_rings", "ring without area dropped" },
     [IL_REPAIR_CROSSING]        = { "crossings",        "crossing made a vertex" },
     [IL_REPAIR_TOUCH]           = { "touches",          "vertex on an edge made a vertex of both" },
+    [IL_REPAIR_KEYHOLE]         = { "keyholes",         "keyhole opened" },
     [IL_REPAIR_KEYHOLE_EDGE]    = { "keyhole_edges",    "edge that cancels dropped" },
     [IL_REPAIR_PINCH]           = { "pinches",          "place where the region touches itself" },
     [IL_REPAIR_REVERSED_RING]   = { "reversed_rings",   "ring turned round" },

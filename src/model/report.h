@@ -14,7 +14,8 @@ typedef enum il_repair {
     IL_REPAIR_DEGENERATE_RING,  /* fewer than 3 distinct vertices or no area, dropped */
     IL_REPAIR_CROSSING,         /* vertices inserted where rings cross */
     IL_REPAIR_TOUCH,            /* a vertex on another ring's edge, made a vertex of both */
-    IL_REPAIR_KEYHOLE_EDGE,     /* edges that cancel: keyhole channels, shared borders */
+    IL_REPAIR_KEYHOLE,          /* keyhole channels cut out of a ring */
+    IL_REPAIR_KEYHOLE_EDGE,     /* edges that cancel: shared borders, channels that were not cut out */
     IL_REPAIR_PINCH,            /* a vertex where the region touches itself; kept */
     IL_REPAIR_REVERSED_RING,    /* turned so that the region lies on the left */
     IL_REPAIR_REORDERED_SLICE,  /* slices put into rising z */

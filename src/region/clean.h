@@ -6,9 +6,14 @@
 #include "model/sink.h"
 
 /* round_float: coordinates are rounded to 32-bit floats first (STL holds no
- * more); that is counted as a repair, with the largest move. */
+ * more); that is counted as a repair, with the largest move.
+ * keyhole: the sides of keyhole channels are at most this far apart, in the unit
+ * of the stack, or in mm where keyhole_is_mm; 0: keyholes are not looked for.
+ * For the stage only, which opens them (keyhole.h) before it cleans. */
 typedef struct il_clean_options {
     bool round_float;
+    double keyhole;
+    bool keyhole_is_mm;
 } il_clean_options;
 
 /* Clean S in place: make one of points that only rounding tells apart; drop

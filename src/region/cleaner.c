@@ -3,12 +3,14 @@
 #include "region/clean.h"
 #include "base/alloc.h"
 #include "base/number.h"
+#include "region/keyhole.h"
 
 #include <math.h>
 
 typedef struct cleaner {
     il_sink sink;
     il_clean_options options;
+    double keyhole;     /* tolerance in the unit of the stack at hand */
     il_sink *next;
     il_report *report;
     il_slice held;      /* the last slice, not passed on yet: one of the same height may follow */
@@ -20,11 +22,20 @@ typedef struct cleaner {
     bool before_changed;/* and the one before it? */
 } cleaner;
 
+/* The tolerance in unit U; a length in mm says nothing of degrees. */
+static double keyhole_tolerance(const il_clean_options *o, il_unit u)
+{
+    if (!o->keyhole_is_mm || u == IL_UNIT_MM)
+        return o->keyhole;
+    return il_unit_metres(u) > 0 ? o->keyhole * il_unit_metres(IL_UNIT_MM) / il_unit_metres(u) : 0;
+}
+
 static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
 {
     cleaner *c = (cleaner *)self;
     il_slice_free(&c->held);
     c->holding = c->merged = c->passed = c->changed = c->before_changed = false;
+    c->keyhole = keyhole_tolerance(&c->options, head->unit);
     return c->next->stack_begin(c->next, head, err);
 }
 
@@ -36,8 +47,12 @@ static il_status pass_on(cleaner *c, il_error *err)
     c->before_changed = c->changed;
     c->passed = true;
     c->z = c->held.z;
-    il_status st = il_slice_clean(&c->held, &c->options, c->report, &c->changed, err);
-    c->changed |= c->merged;
+    size_t n_before = c->held.n;
+    il_status st = il_slice_open_keyholes(&c->held, c->keyhole, c->report, err);
+    bool opened = c->held.n != n_before;
+    if (st == IL_OK)
+        st = il_slice_clean(&c->held, &c->options, c->report, &c->changed, err);
+    c->changed |= c->merged || opened;
     c->merged = false;
     if (st == IL_OK)
         st = c->next->slice(c->next, &c->held, err);

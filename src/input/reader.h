@@ -56,6 +56,7 @@ const il_reader *il_reader_named(const char *name);
 /* The reader for SOURCE by its first bytes; IL_E_INPUT when none fits. */
 il_status il_reader_detect(il_source *source, const il_reader **out, il_error *err);
 
-extern const il_reader il_reader_loft, il_reader_svg, il_reader_dcmdump, il_reader_dicom_json;
+extern const il_reader il_reader_loft, il_reader_svg, il_reader_dcmdump, il_reader_dicom_json,
+    il_reader_dicom_xml;
 
 #endif

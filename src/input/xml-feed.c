@@ -1,21 +1,20 @@
 #include "config.h"
-#include "input/svg-feed.h"
+#include "input/xml-feed.h"
 #include "base/alloc.h"
-#include "input/svg-text.h"
 
 #include <string.h>
 
 enum { BLOCK = 65536 };
 
-void il_svg_feed_init(il_svg_feed *f, il_source *source, size_t max_token)
+void il_xml_feed_init(il_xml_feed *f, il_source *source, size_t max_token)
 {
-    *f = (il_svg_feed){ .source = source, .max_token = max_token, .line = 1, .at_start = true };
+    *f = (il_xml_feed){ .source = source, .max_token = max_token, .line = 1, .at_start = true };
 }
 
-void il_svg_feed_free(il_svg_feed *f)
+void il_xml_feed_free(il_xml_feed *f)
 {
     il_free(f->buf);
-    il_svg_feed_init(f, f->source, f->max_token);
+    il_xml_feed_init(f, f->source, f->max_token);
 }
 
 /* ---- the buffer -------------------------------------------------------------- */
@@ -23,7 +22,7 @@ void il_svg_feed_free(il_svg_feed *f)
 /* Get more bytes behind those at hand.  What is left is moved to the front
  * first, which is less than a block except inside a long token, which stays at
  * the front: so every byte is moved once or twice. */
-static il_status fill(il_svg_feed *f, il_error *err)
+static il_status fill(il_xml_feed *f, il_error *err)
 {
     if (f->end - f->begin > f->max_token)
         return il_fail(err, IL_E_INPUT, f->line, "more than %zu bytes between '<' and its end", f->max_token);
@@ -41,14 +40,14 @@ static il_status fill(il_svg_feed *f, il_error *err)
     return st;
 }
 
-static const char *unread(const il_svg_feed *f, size_t *n)
+static const char *unread(const il_xml_feed *f, size_t *n)
 {
     *n = f->end - f->begin;
     return f->buf + f->begin;
 }
 
 /* Make at least N bytes ready unless the input ends before. */
-static il_status need(il_svg_feed *f, size_t n, il_error *err)
+static il_status need(il_xml_feed *f, size_t n, il_error *err)
 {
     il_status st = IL_OK;
     while (st == IL_OK && !f->at_end && f->end - f->begin < n)
@@ -60,9 +59,9 @@ static il_status need(il_svg_feed *f, size_t n, il_error *err)
 
 /* Each finds the end of the token at S[0..N), going on at f->scanned: its
  * length, or 0 when it is not there yet. */
-typedef size_t find_end(il_svg_feed *f, const char *s, size_t n);
+typedef size_t find_end(il_xml_feed *f, const char *s, size_t n);
 
-static size_t find_after(il_svg_feed *f, const char *s, size_t n, size_t from, const char *mark)
+static size_t find_after(il_xml_feed *f, const char *s, size_t n, size_t from, const char *mark)
 {
     size_t len = strlen(mark);
     for (size_t i = f->scanned > from ? f->scanned : from; i + len <= n; i++) {
@@ -73,13 +72,13 @@ static size_t find_after(il_svg_feed *f, const char *s, size_t n, size_t from, c
     return 0;
 }
 
-static size_t comment_end(il_svg_feed *f, const char *s, size_t n) { return find_after(f, s, n, 4, "-->"); }
-static size_t cdata_end(il_svg_feed *f, const char *s, size_t n) { return find_after(f, s, n, 9, "]]>"); }
-static size_t instruction_end(il_svg_feed *f, const char *s, size_t n) { return find_after(f, s, n, 2, "?>"); }
+static size_t comment_end(il_xml_feed *f, const char *s, size_t n) { return find_after(f, s, n, 4, "-->"); }
+static size_t cdata_end(il_xml_feed *f, const char *s, size_t n) { return find_after(f, s, n, 9, "]]>"); }
+static size_t instruction_end(il_xml_feed *f, const char *s, size_t n) { return find_after(f, s, n, 2, "?>"); }
 
 /* The end of a quoted value that goes on at S[I..N): behind its quote, at a '<'
  * before that, or N.  Values are nearly all of a file, hence memchr. */
-static size_t value_end(il_svg_feed *f, const char *s, size_t n, size_t i)
+static size_t value_end(il_xml_feed *f, const char *s, size_t n, size_t i)
 {
     const char *quote = memchr(s + i, f->quote, n - i);
     size_t end = quote ? (size_t)(quote - s) : n;
@@ -93,7 +92,7 @@ static size_t value_end(il_svg_feed *f, const char *s, size_t n, size_t i)
 
 /* A tag ends at the first '>' outside quotes.  '<' cannot stand in one: it ends
  * there, for the caller to refuse. */
-static size_t tag_end(il_svg_feed *f, const char *s, size_t n)
+static size_t tag_end(il_xml_feed *f, const char *s, size_t n)
 {
     size_t i = f->scanned > 1 ? f->scanned : 1;
     while (i < n) {
@@ -118,7 +117,7 @@ static size_t tag_end(il_svg_feed *f, const char *s, size_t n)
 
 /* A document type ends at the '>' outside its quotes, its comments and its
  * subset in brackets. */
-static size_t doctype_end(il_svg_feed *f, const char *s, size_t n)
+static size_t doctype_end(il_xml_feed *f, const char *s, size_t n)
 {
     size_t i = f->scanned > 2 ? f->scanned : 2;
     for (; i < n; i++) {
@@ -165,9 +164,9 @@ static long count_lines(const char *s, size_t n)
 }
 
 /* The N bytes at hand as a token. */
-static void take(il_svg_feed *f, il_svg_token *t, il_svg_token_kind kind, size_t n)
+static void take(il_xml_feed *f, il_xml_token *t, il_xml_token_kind kind, size_t n)
 {
-    *t = (il_svg_token){ kind, f->buf + f->begin, n, f->line, count_lines(f->buf + f->begin, n) };
+    *t = (il_xml_token){ kind, f->buf + f->begin, n, f->line, count_lines(f->buf + f->begin, n) };
     f->begin += n;
     f->line += t->n_lines;
     f->at_start = false;
@@ -179,16 +178,16 @@ static void take(il_svg_feed *f, il_svg_token *t, il_svg_token_kind kind, size_t
 typedef struct markup {
     const char *begin;
     find_end *end;
-    il_svg_token_kind kind;
+    il_xml_token_kind kind;
 } markup;
 
 /* What begins with '<' there; the most general last. */
 static const markup markups[] = {
-    { "<!--", comment_end, IL_SVG_TOKEN_SKIPPED },
-    { "<![CDATA[", cdata_end, IL_SVG_TOKEN_TAG },
-    { "<!DOCTYPE", doctype_end, IL_SVG_TOKEN_SKIPPED },
-    { "<?", instruction_end, IL_SVG_TOKEN_SKIPPED },
-    { "<", tag_end, IL_SVG_TOKEN_TAG },
+    { "<!--", comment_end, IL_XML_TOKEN_SKIPPED },
+    { "<![CDATA[", cdata_end, IL_XML_TOKEN_TAG },
+    { "<!DOCTYPE", doctype_end, IL_XML_TOKEN_SKIPPED },
+    { "<?", instruction_end, IL_XML_TOKEN_SKIPPED },
+    { "<", tag_end, IL_XML_TOKEN_TAG },
 };
 
 static const markup *markup_at(const char *s, size_t n)
@@ -199,19 +198,19 @@ static const markup *markup_at(const char *s, size_t n)
     return m;
 }
 
-static il_status check_markup(const il_svg_feed *f, const markup *m, const char *s, size_t n, il_error *err)
+static il_status check_markup(const il_xml_feed *f, const markup *m, const char *s, size_t n, il_error *err)
 {
     long line = f->line + count_lines(s, n);
     if (m->end == tag_end && s[n - 1] != '>')
         return il_fail(err, IL_E_INPUT, line, "'<' inside a tag");
-    if (m->end == tag_end && f->n_attributes > IL_SVG_MAX_ATTRIBUTES)
-        return il_fail(err, IL_E_INPUT, f->line, "a tag with more than %d attributes", IL_SVG_MAX_ATTRIBUTES);
+    if (m->end == tag_end && f->n_attributes > IL_XML_MAX_ATTRIBUTES)
+        return il_fail(err, IL_E_INPUT, f->line, "a tag with more than %d attributes", IL_XML_MAX_ATTRIBUTES);
     if (m->end == doctype_end && contains(s, n, "<!ENTITY"))
         return il_fail(err, IL_E_INPUT, f->line, "the document type declares entities, which are not taken: remove it");
     return IL_OK;
 }
 
-static il_status next_markup(il_svg_feed *f, il_svg_token *t, il_error *err)
+static il_status next_markup(il_xml_feed *f, il_xml_token *t, il_error *err)
 {
     size_t n, length = 0;
     const char *s = unread(f, &n);
@@ -228,14 +227,48 @@ static il_status next_markup(il_svg_feed *f, il_svg_token *t, il_error *err)
     }
     st = check_markup(f, m, s, length, err);
     bool declares = f->at_start && m->end == instruction_end && starts(s, length, "<?xml") &&
-                    length > 5 && il_svg_is_blank(s[5]);
+                    length > 5 && il_xml_is_blank(s[5]);
     if (st == IL_OK)
-        take(f, t, declares ? IL_SVG_TOKEN_DECLARATION : m->kind, length);
+        take(f, t, declares ? IL_XML_TOKEN_DECLARATION : m->kind, length);
     return st;
 }
 
+/* How much of the text S[0..N) can go while there is more to come: up to a
+ * reference that may go on, and up to the last character of UTF-8.  In other
+ * encodings characters may be cut, they wait in libxml2's converter. */
+static size_t whole_text(const char *s, size_t n)
+{
+    enum { LONGEST_REFERENCE = 12, LONGEST_TAIL = 3 };
+    size_t end = n, from = n > LONGEST_REFERENCE ? n - LONGEST_REFERENCE : 0;
+    while (end > from && s[end - 1] != '&' && s[end - 1] != ';')
+        end--;
+    if (end > from && s[end - 1] == '&')
+        return end - 1;
+    for (size_t k = 1; k <= LONGEST_TAIL && k <= n && (unsigned char)s[n - k] >= 0x80; k++)
+        if ((unsigned char)s[n - k] >= 0xC0)
+            return n - k;
+    return n;
+}
+
+static il_status next_text(il_xml_feed *f, il_xml_token *t, il_error *err)
+{
+    size_t n;
+    const char *s = unread(f, &n), *mark = memchr(s, '<', n);
+    size_t length = mark ? (size_t)(mark - s) : f->at_end ? n : whole_text(s, n);
+    if (length == 0) { /* nothing but that: get more, and take it as it is */
+        il_status st = need(f, n + 1, err);
+        if (st != IL_OK)
+            return st;
+        s = unread(f, &n);
+        mark = memchr(s, '<', n);
+        length = mark ? (size_t)(mark - s) : n;
+    }
+    take(f, t, IL_XML_TOKEN_TEXT, length);
+    return IL_OK;
+}
+
 /* A byte order mark is dropped; wide characters would look like text. */
-static il_status begin(il_svg_feed *f, il_error *err)
+static il_status begin(il_xml_feed *f, il_error *err)
 {
     size_t n;
     il_status st = need(f, 4, err);
@@ -245,11 +278,11 @@ static il_status begin(il_svg_feed *f, il_error *err)
     if (starts(s, n, "\xEF\xBB\xBF"))
         f->begin += 3;
     else if (n >= 2 && (starts(s, n, "\xFE\xFF") || starts(s, n, "\xFF\xFE") || s[0] == '\0' || s[1] == '\0'))
-        return il_fail(err, IL_E_INPUT, 1, "UTF-16 or binary data; SVG is read as UTF-8");
+        return il_fail(err, IL_E_INPUT, 1, "UTF-16 or binary data; XML is read as UTF-8");
     return IL_OK;
 }
 
-il_status il_svg_feed_next(il_svg_feed *f, il_svg_token *t, il_error *err)
+il_status il_xml_feed_next(il_xml_feed *f, il_xml_token *t, il_error *err)
 {
     enum { LONGEST_MARK = 9 }; /* <![CDATA[ and <!DOCTYPE */
     il_status st = f->at_start ? begin(f, err) : IL_OK;
@@ -260,14 +293,10 @@ il_status il_svg_feed_next(il_svg_feed *f, il_svg_token *t, il_error *err)
     size_t n;
     const char *s = unread(f, &n);
     if (n == 0) {
-        *t = (il_svg_token){ IL_SVG_TOKEN_END, NULL, 0, f->line, 0 };
+        *t = (il_xml_token){ IL_XML_TOKEN_END, NULL, 0, f->line, 0 };
         return IL_OK;
     }
-    if (s[0] == '<')
-        return next_markup(f, t, err);
-    const char *mark = memchr(s, '<', n);
-    take(f, t, IL_SVG_TOKEN_TEXT, mark ? (size_t)(mark - s) : n);
-    return IL_OK;
+    return s[0] == '<' ? next_markup(f, t, err) : next_text(f, t, err);
 }
 
 /* ---- places inside a tag ---------------------------------------------------------- */
@@ -278,14 +307,14 @@ static bool next_attribute(const char *s, size_t n, size_t *at, const char **nam
                            const char **value, size_t *n_value)
 {
     size_t i = *at;
-    while (i < n && il_svg_is_blank(s[i]))
+    while (i < n && il_xml_is_blank(s[i]))
         i++;
     *name = s + i;
-    for (; i < n && s[i] != '=' && !il_svg_is_blank(s[i]) && s[i] != '>' && s[i] != '/'; i++)
+    for (; i < n && s[i] != '=' && !il_xml_is_blank(s[i]) && s[i] != '>' && s[i] != '/'; i++)
         if (s[i] == ':')
             *name = s + i + 1;
     *n_name = (size_t)(s + i - *name);
-    while (i < n && (s[i] == '=' || il_svg_is_blank(s[i])))
+    while (i < n && (s[i] == '=' || il_xml_is_blank(s[i])))
         i++;
     if (i >= n || (s[i] != '"' && s[i] != '\''))
         return false;
@@ -312,11 +341,11 @@ static long lines_before(const char *s, size_t n, size_t offset)
     return lines;
 }
 
-long il_svg_token_line(const il_svg_token *t, const char *wanted, size_t offset)
+long il_xml_token_line(const il_xml_token *t, const char *wanted, size_t offset)
 {
     const char *name, *value;
     size_t at = 1, n_name, n_value;
-    while (at < t->n && !il_svg_is_blank(t->s[at]))
+    while (at < t->n && !il_xml_is_blank(t->s[at]))
         at++;
     while (next_attribute(t->s, t->n, &at, &name, &n_name, &value, &n_value))
         if (n_name == strlen(wanted) && memcmp(name, wanted, n_name) == 0)

@@ -1,7 +1,7 @@
 # fuzz.sh - the fuzz harnesses over their formats' samples and over what fuzzing
 # has found, without a fuzzer; one case a harness.
 
-harnesses="dcmdump loft mesh svg"
+harnesses="dcmdump dicom-json json loft mesh svg"
 
 set -- $harnesses
 echo "1..$#"
@@ -9,6 +9,7 @@ i=0
 for format in $harnesses; do
     i=$((i + 1))
     seeds=$srcdir/formats/$format
+    [ $format != json ] || seeds=$srcdir/formats/dicom-json
     found=$srcdir/tests/fuzz/found/$format
     [ -d "$found" ] || found=
     if ./tests/fuzz/fuzz-$format -runs=0 "$seeds" $found >"$TMPDIR/out" 2>"$TMPDIR/err"; then

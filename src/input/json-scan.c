@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* What may come next. */
-enum { VALUE = 1, KEY = 2, COLON = 4, COMMA = 8, CLOSE = 16 };
+enum { NOTHING, VALUE = 1, KEY = 2, COLON = 4, COMMA = 8, CLOSE = 16 };
 
 /* What a byte is.  PLAIN: it stands for itself in a string.  WORD: part of a
  * number, of true, false and null, and of what is none of them, so that an error
@@ -369,24 +369,36 @@ static const char *words_for(const il_json_scan *j)
     }
 }
 
-static il_status fail_unexpected(const il_json_scan *j, const char *p, il_error *err)
+/* Shows as much of what stands there however the input comes in. */
+static il_status fail_unexpected(il_json_scan *j, il_error *err)
 {
+    enum { SHOWN = 20 };
+    il_status st = IL_OK;
+    while (st == IL_OK && j->end - j->begin < SHOWN && !j->at_end)
+        st = read_more(j, err);
+    if (st != IL_OK)
+        return st;
+    const char *p = j->buf + j->begin;
     size_t n = 0, left = j->end - j->begin;
     if (*p == '\0')
         return il_fail(err, IL_E_INPUT, j->line, "%s is expected, not a zero byte", words_for(j));
-    while (n < left && n < 20 && p[n] != '\n' && p[n] != '\r')
+    while (n < left && n < SHOWN && p[n] != '\n' && p[n] != '\r')
         n++;
     return il_fail(err, IL_E_INPUT, j->line, "%s is expected, not '%.*s'", words_for(j), (int)n, p);
 }
 
+/* An LF at the very end ends the last line and begins no other. */
 static il_status at_end(il_json_scan *j, il_json_event *event, il_error *err)
 {
     bool after_lf = j->begin > 0 ? j->buf[j->begin - 1] == '\n' : j->after_lf;
-    long line = j->line - (after_lf && j->line > 1);
+    if (j->expected != NOTHING && after_lf)
+        j->line--;
     *event = IL_JSON_END;
-    if (j->depth == 0)
+    if (j->depth == 0) {
+        j->expected = NOTHING;
         return IL_OK;
-    return il_fail(err, IL_E_INPUT, line, "the file ends inside the %s that begins in line %ld: it was cut",
+    }
+    return il_fail(err, IL_E_INPUT, j->line, "the file ends inside the %s that begins in line %ld: it was cut",
                    in_object(j) ? "object" : "array", j->level[j->depth - 1].line);
 }
 
@@ -445,7 +457,7 @@ static il_status step(il_json_scan *j, il_json_event *event, il_error *err)
         if (may_begin(j, *p))
             return take_value(j, p, event, err);
         if (!(j->expected & CLOSE) || *p != j->level[j->depth - 1].close)
-            return fail_unexpected(j, p, err);
+            return fail_unexpected(j, err);
         *event = *p == '}' ? IL_JSON_OBJECT_END : IL_JSON_ARRAY_END;
         j->begin++;
         j->depth--;

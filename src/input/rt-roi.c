@@ -125,7 +125,7 @@ il_status il_rt_roi_merge(il_rt_roi *to, il_rt_roi *from, il_error *err)
         to->has_color = from->has_color;
         memcpy(to->color, from->color, sizeof to->color);
     }
-    to->is_listed |= from->is_listed;
+    to->rank = from->rank < to->rank ? from->rank : to->rank;
     il_report_merge(&to->report, &from->report);
     il_rt_roi_free(from);
     return IL_OK;

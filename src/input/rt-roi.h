@@ -34,10 +34,11 @@ void il_rt_contour_point(const il_rt_contour *c, size_t i, double xyz[3]);
 
 /* Texts are UTF-8, owned, and null where the file says nothing.  fault: why the
  * ROI cannot be had, null when it can.  report: what was skipped of it.
- * is_listed: the list of ROIs has it, and not only that of contours. */
+ * rank: the least comes first. */
 typedef struct il_rt_roi {
-    bool has_number, has_color, is_listed;
+    bool has_number, has_color;
     long number;
+    size_t rank;
     unsigned char color[3];
     char *name, *algorithm, *type, *frame_uid, *fault;
     long line, fault_line;

@@ -14,6 +14,7 @@
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Where in the dataset the parser is: each list is a sequence, the place behind
@@ -27,6 +28,11 @@ typedef enum place {
     PLACE_OTHER_LIST, PLACE_OTHER
 } place;
 
+/* Ranks of ROIs: those of the list (3006,0020) as it has them, then those that only
+ * contours name, as they came, then those that are only observed, of which
+ * nothing becomes.  A file may have these three in any order. */
+static const size_t RANK_DRAWN = SIZE_MAX / 4, RANK_OBSERVED = SIZE_MAX / 2;
+
 struct il_rt_set {
     const char *file;
     const il_read_options *options;
@@ -38,6 +44,7 @@ struct il_rt_set {
     bool has_list, has_contours, has_observations; /* there are these sequences, be they empty */
     bool is_charset_noted;      /* that it is unknown has been told */
     il_rt_roi *roi;             size_t n, cap;
+    size_t n_listed;            /* items that the list of ROIs had by now */
     il_keymap by_number;        /* ROI number -> index in roi */
     il_rt_roi item;             /* of the item at hand */
     il_rt_contour contour;      /* likewise */
@@ -321,10 +328,10 @@ static il_status add_item(il_rt_set *s, il_error *err)
 static il_status end_roi(il_rt_set *s, il_error *err)
 {
     il_rt_roi *old = s->item.has_number ? find_roi(s, s->item.number) : NULL;
-    s->item.is_listed = true;
+    s->item.rank = s->n_listed++;
     if (!old)
         return add_item(s, err);
-    if (old->is_listed)
+    if (old->rank < RANK_DRAWN)
         il_report_note(&old->report, "ROI number %ld is given twice; the first name stands", s->item.number);
     return il_rt_roi_merge(old, &s->item, err);
 }
@@ -334,14 +341,16 @@ static il_status end_contours(il_rt_set *s, il_error *err)
     il_rt_roi *roi = s->item.has_number ? find_roi(s, s->item.number) : NULL;
     if (roi && roi->n > 0 && s->item.n > 0)
         il_report_note(&roi->report, "its contours stand in several places of the file");
+    s->item.rank = RANK_DRAWN + s->n;
     return roi ? il_rt_roi_merge(roi, &s->item, err) : add_item(s, err);
 }
 
 static il_status end_observation(il_rt_set *s, il_error *err)
 {
     il_rt_roi *roi = s->item.has_number ? find_roi(s, s->item.number) : NULL;
-    if (roi)
-        return il_rt_roi_merge(roi, &s->item, err);
+    s->item.rank = RANK_OBSERVED + s->n;
+    if (s->item.has_number)
+        return roi ? il_rt_roi_merge(roi, &s->item, err) : add_item(s, err);
     il_rt_roi_free(&s->item);
     return IL_OK;
 }
@@ -374,7 +383,7 @@ static void forget_dataset(il_rt_set *s)
     il_free(s->modality);
     il_free(s->kind);
     s->charset = s->modality = s->kind = NULL;
-    s->n = s->depth = 0;
+    s->n = s->n_listed = s->depth = 0;
     s->has_list = s->has_contours = s->has_observations = s->is_charset_noted = false;
 }
 
@@ -445,14 +454,30 @@ il_status il_rt_set_end_sequence(il_rt_set *s, long line, il_error *err)
     return IL_OK;
 }
 
+static int by_rank(const void *a, const void *b)
+{
+    size_t i = ((const il_rt_roi *)a)->rank, j = ((const il_rt_roi *)b)->rank;
+    return (i > j) - (i < j);
+}
+
+/* The ROIs in their order, without those that are only observed. */
+static void sort_rois(il_rt_set *s)
+{
+    if (s->n > 1)
+        qsort(s->roi, s->n, sizeof *s->roi, by_rank);
+    while (s->n > 0 && s->roi[s->n - 1].rank >= RANK_OBSERVED)
+        il_rt_roi_free(&s->roi[--s->n]);
+}
+
 /* What is odd about the set as a whole is told with the ROI it befalls. */
 static void add_notes(il_rt_set *s)
 {
     for (size_t k = 0; k < s->n; k++) {
         il_rt_roi *r = &s->roi[k];
-        if (!r->is_listed && r->has_number)
+        bool is_listed = r->rank < RANK_DRAWN;
+        if (!is_listed && r->has_number)
             il_report_note(&r->report, "no ROI has number %ld, so these contours have no name", r->number);
-        else if (!r->is_listed)
+        else if (!is_listed)
             il_report_note(&r->report, "these contours name no ROI");
     }
     if (s->n > 0 && !s->has_observations)
@@ -471,6 +496,7 @@ il_status il_rt_set_end_dataset(il_rt_set *s, long line, il_error *err)
     if (!s->has_list || !s->has_contours)
         return il_fail(err, IL_E_INPUT, line, "the %s are missing: the file was cut",
                        s->has_list ? "contours (3006,0039)" : "names of the ROIs (3006,0020)");
+    sort_rois(s);
     add_notes(s);
     il_status st = il_rt_stacks_emit(s->roi, s->n, s->file, s->options, s->sink, s->report, err);
     forget_dataset(s);

@@ -5,7 +5,8 @@
  *     dataset   = begin_dataset (element | sequence)* end_dataset
  *     sequence  = begin_sequence item* end_sequence
  *     item      = begin_item (element | sequence)* end_item
- * and the set finds the ROIs and contours in it (DICOM PS3.3, C.8.8.5 and C.8.8.6).
+ * and the set finds the ROIs and contours in it (DICOM PS3.3, C.8.8.5 and C.8.8.6),
+ * in whichever order its sequences come.
  * A dataset becomes stacks, one an ROI, when it ends. */
 #ifndef IL_INPUT_RT_SET_H
 #define IL_INPUT_RT_SET_H

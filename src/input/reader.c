@@ -1,6 +1,8 @@
 #include "config.h"
 #include "input/reader.h"
+#include "base/text.h"
 
+#include <stdio.h>
 #include <string.h>
 
 const il_reader *const il_readers[] = {
@@ -14,7 +16,35 @@ const il_reader *il_reader_named(const char *name)
     return NULL;
 }
 
-enum { PROBE_BYTES = 4096 };
+enum { PROBE_BYTES = 4096, PREAMBLE = 128, NAME_MOST = 150 };
+
+/* A first element of group 0002 or 0008, numbers in the order that LOW and HIGH,
+ * the offsets of their bytes, say: it is one of the first of its group, with two
+ * letters for the type of its value or a short length in 32 bits. */
+static bool begins_as_dicom(const unsigned char *head, size_t n, int low, int high)
+{
+    if (n < 8 || (head[low] != 2 && head[low] != 8) || head[high] != 0 || head[2 + high] > 1)
+        return false;
+    bool letters = head[4] >= 'A' && head[4] <= 'Z' && head[5] >= 'A' && head[5] <= 'Z';
+    return letters || (head[4 + 3 * high] == 0 && head[4 + 3 * high + (high ? -1 : 1)] == 0);
+}
+
+static bool is_binary_dicom(const unsigned char *head, size_t n)
+{
+    return (n >= PREAMBLE + 4 && memcmp(head + PREAMBLE, "DICM", 4) == 0) ||
+           begins_as_dicom(head, n, 0, 1) || begins_as_dicom(head, n, 1, 0);
+}
+
+/* Only a name that can stand between quotes as it is goes into the command. */
+static il_status fail_binary_dicom(const char *name, il_error *err)
+{
+    char shown[NAME_MOST + 1], quoted[NAME_MOST + 3] = "FILE";
+    size_t n = strlen(name);
+    bool plain = il_text_printable(shown, sizeof shown, name, n) == n && memcmp(shown, name, n) == 0 && !strchr(name, '\'');
+    if (plain && strcmp(name, "-") != 0)
+        snprintf(quoted, sizeof quoted, "'%s'", shown);
+    return il_fail(err, IL_E_INPUT, 0, "is a binary DICOM file; dcmdump +L %s | isoloft reads its text", quoted);
+}
 
 il_status il_reader_detect(il_source *source, const il_reader **out, il_error *err)
 {
@@ -31,6 +61,8 @@ il_status il_reader_detect(il_source *source, const il_reader **out, il_error *e
     }
     if (n == 0)
         st = il_fail(err, IL_E_INPUT, 0, "the input is empty");
+    else if (is_binary_dicom(head, n))
+        st = fail_binary_dicom(il_source_name(source), err);
     else
         st = il_fail(err, IL_E_INPUT, 1, "not a format that isoloft knows (see isoloft --formats; -f names one)");
     il_error_set_file(err, il_source_name(source));

@@ -45,17 +45,7 @@ static bool is_collapsed(const uint32_t *t)
 
 static bool has_no_area(const work *w, const uint32_t *t)
 {
-    for (int x = 0; x < 3; x++) {
-        int y = (x + 1) % 3;
-        double p[3][2];
-        for (int k = 0; k < 3; k++) {
-            p[k][0] = position(w, t[k])[x];
-            p[k][1] = position(w, t[k])[y];
-        }
-        if (il_orientation(p[0], p[1], p[2]) != 0)
-            return false;
-    }
-    return true;
+    return !il_triangle_has_area(position(w, t[0]), position(w, t[1]), position(w, t[2]));
 }
 
 /* ---- half-edges, sorted by their edge -------------------------------------------- */

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "model/mesh.h"
 #include "base/alloc.h"
+#include "bridge/predicates.h"
 
 #include <string.h>
 
@@ -29,4 +30,16 @@ bool il_mesh_add_triangle(il_mesh *m, uint32_t a, uint32_t b, uint32_t c)
     uint32_t *t = m->tri + 3 * m->n_triangles++;
     t[0] = a, t[1] = b, t[2] = c;
     return true;
+}
+
+/* One of its three shadows along the axes has. */
+bool il_triangle_has_area(const double a[3], const double b[3], const double c[3])
+{
+    for (int x = 0; x < 3; x++) {
+        int y = (x + 1) % 3;
+        const double p[3][2] = { { a[x], a[y] }, { b[x], b[y] }, { c[x], c[y] } };
+        if (il_orientation(p[0], p[1], p[2]) != 0)
+            return true;
+    }
+    return false;
 }

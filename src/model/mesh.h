@@ -25,6 +25,9 @@ void il_mesh_free(il_mesh *m);
 bool il_mesh_add_vertex(il_mesh *m, const double xyz[3], il_origin origin);
 bool il_mesh_add_triangle(il_mesh *m, uint32_t a, uint32_t b, uint32_t c);
 
+/* Is the area of the triangle not 0, exactly?  Finite coordinates. */
+bool il_triangle_has_area(const double a[3], const double b[3], const double c[3]);
+
 /* What a finished stack looks like: filled by the lofter. */
 typedef struct il_mesh_facts {
     size_t vertices, triangles, slices, rings, points;

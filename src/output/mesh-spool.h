@@ -18,12 +18,13 @@ typedef struct il_spooled_vertex { double xyz[3]; il_origin origin; } il_spooled
 typedef struct il_spooled_triangle { uint32_t v[3]; int32_t slab; } il_spooled_triangle;
 
 /* first_…: counts of all stacks before.  index: the stack's place in the input
- * as its vertices' origins say, else its place among those begun. */
+ * as its vertices' origins say, else its place among those begun.  rounds: its
+ * frame does; then vertices wait in the stack's own coordinates for its end. */
 typedef struct il_spooled_stack {
     il_stack_head head;
     uint64_t first_vertex, n_vertices, first_triangle, n_triangles;
     int32_t index;
-    bool index_known, left_handed;
+    bool index_known, left_handed, rounds;
 } il_spooled_stack;
 
 /* Write all of M to TO; called once, at `finish`.  Failures of TO itself need
@@ -40,12 +41,15 @@ struct il_mesh_spool {
     size_t n_stacks, cap_stacks;
     int32_t n_begun;
     bool open;                     /* between begin and end */
+    bool floats;                   /* what is written are 32-bit floats */
     struct il_vertex_page *cache;  /* see il_mesh_spool_vertex */
 };
 
-/* A sink that spools, and calls WRITE at the end.  O may be null. */
+/* A sink that spools, and calls WRITE at the end.  O may be null.  FLOATS: the
+ * format holds 32-bit floats only.  A stack whose frame rounds (output/mesh-settle.h)
+ * is held in memory when it ends, and IL_E_SURFACE when it does not settle. */
 il_status il_mesh_spool_new(il_mesh_sink **out, il_output *to, const il_write_options *o,
-                            il_mesh_format write, il_error *err);
+                            bool floats, il_mesh_format write, il_error *err);
 void il_mesh_spool_free(il_mesh_sink *s);
 
 /* Of all stacks together. */

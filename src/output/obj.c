@@ -213,7 +213,7 @@ static il_status write_obj(il_mesh_spool *m, il_output *to, const il_write_optio
 
 static il_status new_obj(il_mesh_sink **out, il_output *to, const il_write_options *o, il_error *err)
 {
-    return il_mesh_spool_new(out, to, o, write_obj, err);
+    return il_mesh_spool_new(out, to, o, false, write_obj, err);
 }
 
 const il_writer il_writer_obj = {

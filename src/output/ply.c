@@ -180,12 +180,12 @@ static il_status write_ascii(il_mesh_spool *m, il_output *to, const il_write_opt
 
 static il_status new_binary(il_mesh_sink **out, il_output *to, const il_write_options *o, il_error *err)
 {
-    return il_mesh_spool_new(out, to, o, write_binary, err);
+    return il_mesh_spool_new(out, to, o, false, write_binary, err);
 }
 
 static il_status new_ascii(il_mesh_sink **out, il_output *to, const il_write_options *o, il_error *err)
 {
-    return il_mesh_spool_new(out, to, o, write_ascii, err);
+    return il_mesh_spool_new(out, to, o, false, write_ascii, err);
 }
 
 const il_writer il_writer_ply = {

@@ -123,7 +123,7 @@ static il_status write_binary(il_mesh_spool *m, il_output *to, const il_write_op
 
 static il_status new_binary(il_mesh_sink **out, il_output *to, const il_write_options *o, il_error *err)
 {
-    return il_mesh_spool_new(out, to, o, write_binary, err);
+    return il_mesh_spool_new(out, to, o, true, write_binary, err);
 }
 
 const il_writer il_writer_stl = {
@@ -183,7 +183,7 @@ static il_status write_ascii(il_mesh_spool *m, il_output *to, const il_write_opt
 
 static il_status new_ascii(il_mesh_sink **out, il_output *to, const il_write_options *o, il_error *err)
 {
-    return il_mesh_spool_new(out, to, o, write_ascii, err);
+    return il_mesh_spool_new(out, to, o, true, write_ascii, err);
 }
 
 const il_writer il_writer_stl_ascii = {

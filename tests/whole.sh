@@ -119,8 +119,8 @@ if [ -n "$comma" ]; then
         LC_ALL=$comma "$ISOLOFT" "$vase_svg" -t $format >comma
         holds "a locale with commas changes nothing: $format" cmp point comma
     done
-    LC_ALL=$comma "$ISOLOFT" info "$vase" >comma
-    holds "nor what info says" sh -c '"$ISOLOFT" info "$1" | cmp - comma' - "$vase"
+    LC_ALL=$comma "$ISOLOFT" info "$vase" | sed '/^  seconds /d' >comma
+    holds "nor what info says" sh -c '"$ISOLOFT" info "$1" | sed "/^  seconds /d" | cmp - comma' - "$vase"
     exits 2 "nor what a number is" env LC_ALL="$comma" "$ISOLOFT" "$vase" --spacing 1,5
 else
     skip "a locale with commas changes nothing" "there is none"

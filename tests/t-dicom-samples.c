@@ -19,6 +19,7 @@ int main(void)
 {
     static const samples forms[] = {
         { "dcmdump", ".txt", &il_reader_dcmdump, NULL, NULL, up_to_contours },
+        { "dicom-xml", ".xml", &il_reader_dicom_xml, NULL, ": not well-formed", NULL },
     };
     return samples_run(forms, sizeof forms / sizeof *forms, "dicom", "3.  What is read of a structure set\n\n");
 }

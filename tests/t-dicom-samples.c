@@ -37,6 +37,7 @@ int main(void)
     static const samples forms[] = {
         { "dcmdump", ".txt", &il_reader_dcmdump, NULL, NULL, up_to_contours },
         { "dicom-json", ".json", &il_reader_dicom_json, NULL, NULL, up_to_first_end },
+        { "dicom-xml", ".xml", &il_reader_dicom_xml, NULL, ": not well-formed", NULL },
     };
     return samples_run(forms, sizeof forms / sizeof *forms, "dicom", "3.  What is read of a structure set\n\n");
 }

@@ -3,7 +3,7 @@
  * by their names alone; the two forms have none in common. */
 #include "config.h"
 #include "base/alloc.h"
-#include "input/charset.h"
+#include "input/dicom-quoted.h"
 #include "input/dicom-values.h"
 #include "input/rt-set.h"
 #include "input/xml-push.h"
@@ -163,64 +163,6 @@ static il_status begin_element(parser *p, const il_xml_element *e, il_error *err
     return p->is_wanted ? il_dicom_values_begin(&p->values, NULL, 0, err) : IL_OK;
 }
 
-/* dcm2xml writes the bytes of character sets that it does not know as references
- * to the characters of those numbers, and then declares no encoding.  The N bytes
- * of UTF-8 at S as such bytes, in TO, which has room for N; false when there are
- * other characters. */
-static bool unquote(const char *s, size_t n, char *to, size_t *n_to)
-{
-    *n_to = 0;
-    for (size_t i = 0; i < n; i++) {
-        unsigned char c = (unsigned char)s[i], next = (unsigned char)(i + 1 < n ? s[i + 1] : '\0');
-        if (c < 0x80) {
-            to[(*n_to)++] = s[i];
-        } else if ((c == 0xC2 || c == 0xC3) && i + 1 < n) {
-            to[(*n_to)++] = (char)((c & 3) << 6 | (next & 0x3F));
-            i++;
-        } else if (c == 0xEF && next == 0x80 && i + 2 < n) { /* U+F000 and on: see il_xml_client */
-            to[(*n_to)++] = (char)(s[i + 2] & 0x3F);
-            i += 2;
-        } else {
-            return false;
-        }
-    }
-    return *n_to < n;
-}
-
-/* The sets that dcm2xml knows, so that it never quotes them. */
-static bool is_translated(const char *charset)
-{
-    static const char *const known[] = { "ISO_IR 6", "ISO_IR 100", "ISO_IR 101", "ISO_IR 109", "ISO_IR 110", "ISO_IR 126",
-        "ISO_IR 127", "ISO_IR 138", "ISO_IR 144", "ISO_IR 148", "ISO_IR 192" };
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (strcmp(charset, known[i]) == 0)
-            return true;
-    return false;
-}
-
-/* Give the set the text S[0..N), which may be quoted: it is when its bytes all
- * are characters of the data set's character set. */
-static il_status take_text(parser *p, const char *s, size_t n, il_error *err)
-{
-    char *bytes = NULL, *text = NULL;
-    size_t n_bytes = 0, n_text = 0, n_bad = 0;
-    bool known = false;
-    il_status st = IL_OK;
-    if (p->quotes && p->charset && !is_translated(p->charset)) {
-        bytes = il_alloc(n + 1, 1);
-        if (!bytes)
-            st = il_fail_nomem(err);
-        else if (unquote(s, n, bytes, &n_bytes))
-            st = il_charset_to_utf8(p->charset, strlen(p->charset), bytes, n_bytes, &text, &n_text, &n_bad, &known, err);
-    }
-    bool is_quoted = text && known && n_bad == 0;
-    if (st == IL_OK)
-        st = il_rt_set_element(p->set, p->tag, is_quoted ? text : s, is_quoted ? n_text : n, true, p->line, err);
-    il_free(bytes);
-    il_free(text);
-    return st;
-}
-
 /* The attribute at hand is whole. */
 static il_status end_attribute(parser *p, il_error *err)
 {
@@ -237,7 +179,15 @@ static il_status end_attribute(parser *p, il_error *err)
         if (!p->charset)
             return il_fail_nomem(err);
     }
-    return p->values.is_text ? take_text(p, s, n, err) : il_rt_set_element(p->set, p->tag, s, n, true, p->line, err);
+    char *text = NULL;
+    if (p->quotes && p->values.is_text) {
+        st = il_dicom_unquote(p->charset, s, n, &text, &n, err);
+        s = text;
+    }
+    if (st == IL_OK)
+        st = il_rt_set_element(p->set, p->tag, s, n, true, p->line, err);
+    il_free(text);
+    return st;
 }
 
 /* ---- start tags --------------------------------------------------------------------- */

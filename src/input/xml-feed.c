@@ -234,20 +234,14 @@ static il_status next_markup(il_xml_feed *f, il_xml_token *t, il_error *err)
 }
 
 /* How much of the text S[0..N) can go while there is more to come: up to a
- * reference that may go on, and up to the last character of UTF-8.  In other
- * encodings characters may be cut, they wait in libxml2's converter. */
+ * reference that may go on.  (A character may be cut, libxml2 waits for the rest.) */
 static size_t whole_text(const char *s, size_t n)
 {
-    enum { LONGEST_REFERENCE = 12, LONGEST_TAIL = 3 };
+    enum { LONGEST_REFERENCE = 12 };
     size_t end = n, from = n > LONGEST_REFERENCE ? n - LONGEST_REFERENCE : 0;
     while (end > from && s[end - 1] != '&' && s[end - 1] != ';')
         end--;
-    if (end > from && s[end - 1] == '&')
-        return end - 1;
-    for (size_t k = 1; k <= LONGEST_TAIL && k <= n && (unsigned char)s[n - k] >= 0x80; k++)
-        if ((unsigned char)s[n - k] >= 0xC0)
-            return n - k;
-    return n;
+    return end > from && s[end - 1] == '&' ? end - 1 : n;
 }
 
 static il_status next_text(il_xml_feed *f, il_xml_token *t, il_error *err)

@@ -27,7 +27,7 @@ typedef enum il_xml_token_kind {
     IL_XML_TOKEN_END,
     IL_XML_TOKEN_DECLARATION,   /* <?xml ...?> at the very beginning */
     IL_XML_TOKEN_TAG,           /* a start or end tag, or CDATA section, whole */
-    IL_XML_TOKEN_TEXT,          /* a piece of text, never the half of a reference or of a character */
+    IL_XML_TOKEN_TEXT,          /* a piece of text, with none but whole references */
     IL_XML_TOKEN_SKIPPED        /* nothing for the parser but its line ends */
 } il_xml_token_kind;
 

@@ -145,18 +145,33 @@ typedef struct il_to {
 
 /* ---- the work ------------------------------------------------------------- */
 
+/* What becomes of neighbouring slices more than 2.5 times as far apart as is usual
+ * in their stack.  AS_GIVEN: what the input says (the native format can say that
+ * nothing joins two slices); structure sets: CAP.  BRIDGE: they are joined.  CAP:
+ * the solid is closed on either side.  FAIL: it is refused. */
+typedef enum il_gap_mode {
+    IL_GAPS_AS_GIVEN = 0,
+    IL_GAPS_BRIDGE   = 1,
+    IL_GAPS_CAP      = 2,
+    IL_GAPS_FAIL     = 3
+} il_gap_mode;
+
 /* All 0 is what the program does without options.  threads: 0 is one a
  * processor; the mesh is the same for any number.  dome: close first and last
  * slice by a dome of half a spacing instead of flat.  unmatched: compare slices
  * as they lie instead of deforming them onto each other.  note: is told, sentence by
  * sentence, what of the input was repaired or skipped; may be null.  The
- * sentence is gone when it returns. */
+ * sentence is gone when it returns.  thickness: what a slice that nothing is joined
+ * to is given, in the input's unit; 0: the usual spacing for structure sets, and
+ * where gaps says what to do, else such a slice is refused. */
 typedef struct il_settings {
     int threads;
     int dome;
     int unmatched;
     void (*note)(void *self, const char *sentence);
     void *note_self;
+    il_gap_mode gaps;
+    double thickness;
 } il_settings;
 
 /* Loft FROM into TO.  SETTINGS may be null, ERR too.  What TO points to must be

@@ -1,6 +1,6 @@
 /* isoloft.c - isoloft.h: the stages put together for a caller's program.
  *
- *     reader or arrays > clean > match > [round] > lofter > tally > writer or arrays
+ *     reader or arrays > clean > [gaps] > match > [round] > lofter > tally > writer or arrays
  *
  * As in the command, rounding for formats of 32-bit floats is a cleaning stage
  * of its own behind the matching, so that both give the same bytes. */
@@ -18,6 +18,7 @@
 #include "match/refit.h"
 #include "output/writer.h"
 #include "region/clean.h"
+#include "region/gapper.h"
 #include "region/keyhole.h"
 
 #include <stdio.h>
@@ -47,7 +48,7 @@ typedef struct work {
     il_mesh_sink *mesh_writer;
     il_solids_sink solids;
     tally tally;
-    il_sink *lofter, *rounder, *matcher, *cleaner, *first;
+    il_sink *lofter, *rounder, *matcher, *gapper, *cleaner, *first;
     il_refit *refit;
     il_report report, rounding;
 } work;
@@ -68,6 +69,10 @@ static il_status check_call(work *w, il_error *err)
         return il_fail(err, IL_E_USAGE, 0, "unknown unit '%.40s'", f->unit);
     if (!(f->spacing >= 0 && f->spacing < 1e15))
         return il_fail(err, IL_E_USAGE, 0, "the spacing must be positive, or 0 for none");
+    if (!(w->settings.thickness >= 0 && w->settings.thickness < 1e15))
+        return il_fail(err, IL_E_USAGE, 0, "the thickness must be positive, or 0 for none");
+    if ((unsigned)w->settings.gaps > IL_GAPS_FAIL)
+        return il_fail(err, IL_E_USAGE, 0, "gaps are treated in no way number %d", (int)w->settings.gaps);
     return IL_OK;
 }
 
@@ -219,6 +224,18 @@ static il_status build_lofter(work *w, bool rounds, il_error *err)
     return il_lofter_new(&w->lofter, &o, &w->tally.sink, err);
 }
 
+/* Structure sets lack slices as a matter of course, see cli/pipeline.c. */
+static il_status build_gapper(work *w, il_error *err)
+{
+    bool is_set = w->reader && w->reader->is_patient;
+    if (!is_set && w->settings.gaps == IL_GAPS_AS_GIVEN && !(w->settings.thickness > 0))
+        return IL_OK;
+    il_gap_options g = { w->settings.gaps, w->settings.thickness, is_set };
+    if (is_set && g.mode == IL_GAPS_AS_GIVEN)
+        g.mode = IL_GAPS_CAP;
+    return il_gapper_new(&w->gapper, &g, w->matcher, &w->report, err);
+}
+
 /* Last to first, for a stage is given the next one. */
 static il_status build_stages(work *w, il_error *err)
 {
@@ -236,7 +253,9 @@ static il_status build_stages(work *w, il_error *err)
     if (st == IL_OK)
         st = il_matcher_new(&w->matcher, &m, rounds ? il_refit_before(w->refit, w->rounder) : w->lofter, err);
     if (st == IL_OK)
-        st = il_cleaner_new(&w->cleaner, &as_is, w->matcher, &w->report, err);
+        st = build_gapper(w, err);
+    if (st == IL_OK)
+        st = il_cleaner_new(&w->cleaner, &as_is, w->gapper ? w->gapper : w->matcher, &w->report, err);
     w->first = w->cleaner;
     return st;
 }
@@ -244,6 +263,7 @@ static il_status build_stages(work *w, il_error *err)
 static void free_work(work *w)
 {
     il_cleaner_free(w->cleaner);
+    il_gapper_free(w->gapper);
     if (w->matcher)
         il_matcher_free(w->matcher);
     il_cleaner_free(w->rounder);

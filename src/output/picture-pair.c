@@ -129,6 +129,8 @@ static void describe(il_label *l, const il_figure *f)
     name_slice(l, f, 1);
     if (!f->level[1].has_pair)
         il_label_words(l, ". Not matched: the stream has no record of this pair (isoloft match adds it).");
+    else if (f->level[1].below.gap)
+        il_label_words(l, ". A gap: nothing joins them.");
     else if (f->level[1].below.matcher == IL_MATCHER_NONE)
         il_label_words(l, ". Matcher none: compared as they lie.");
     else

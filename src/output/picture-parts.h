@@ -30,8 +30,9 @@ typedef struct il_level {
 } il_level;
 
 /* The levels of a stack that are kept: level[k] is slice first + k of the
- * n_slices that there are.  index: the stack's place in the stream, from 1.
- * spacing: the least between two slices, 0 with fewer. */
+ * n_slices that there are; n_pairs: pair records, without gaps.  index: the
+ * stack's place in the stream, from 1.  spacing: the least between two slices, 0
+ * with fewer. */
 typedef struct il_figure {
     il_stack_head head;
     il_level *level;        size_t n, cap;

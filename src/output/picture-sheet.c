@@ -50,6 +50,8 @@ static void describe_residual(il_label *l, const il_level *upper)
     double mean, largest;
     if (!upper->has_pair) {
         il_label_words(l, "not matched");
+    } else if (upper->below.gap) {
+        il_label_words(l, "gap: not joined");
     } else if (worst_residual(&upper->below, &mean, &largest)) {
         il_label_number(l, mean, 2);
         il_label_words(l, " (");

@@ -94,7 +94,7 @@ static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
     picture *p = (picture *)self;
     il_figure *f = &p->figure;
     (void)err;
-    f->n_pairs++;
+    f->n_pairs += !pair->gap;
     if (f->n < 2 || f->first + f->n != f->n_slices)
         return IL_OK;
     il_level *upper = &f->level[f->n - 1];

@@ -3,17 +3,14 @@
 #ifndef IL_REGION_GAPPER_H
 #define IL_REGION_GAPPER_H
 
+#include "isoloft.h"
 #include "model/report.h"
 #include "model/sink.h"
 
-/* What becomes of two neighbouring slices more than IL_GAP_SPACINGS usual
- * spacings apart.  AS_GIVEN: nothing; the stream says where a gap is.  BRIDGE:
- * they are joined, and so is what the stream calls a gap.  CAP: they become a gap
- * (model/pair.h), whatever the stream has to say of the two.  FAIL: the stack has
- * a fault, as it has where the stream says that there is a gap. */
-typedef enum il_gap_mode { IL_GAPS_AS_GIVEN, IL_GAPS_BRIDGE, IL_GAPS_CAP, IL_GAPS_FAIL } il_gap_mode;
-
-/* thickness: of a slice that nothing is joined to, in the unit that the input
+/* mode: AS_GIVEN says nothing; BRIDGE joins what the stream calls a gap, too; CAP
+ * makes a gap record (model/pair.h) of whatever the stream has to say of two slices
+ * with a gap (model/spacing.h); FAIL takes that, and a gap record, for a fault.
+ * thickness: of a slice that nothing is joined to, in the unit that the input
  * was read in; 0 takes the stack's usual spacing, or, where it has none, that of
  * the set that it came from, or 1 mm, which is told.  drop_empty: slices without
  * rings are no information, and dropped; else they bound the solid. */

@@ -477,6 +477,7 @@ const il_reader il_reader_dicom_xml = {
     .name = "dicom-xml",
     .extensions = "",
     .words = "DICOM-RT structure set as XML (PS3.19, or dcm2xml)",
+    .is_patient = true,
     .probe = probe,
     .read = read_all,
 };

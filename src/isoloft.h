@@ -94,7 +94,8 @@ typedef struct il_from {
 /* ---- solids out ----------------------------------------------------------- */
 
 /* The closed mesh of one stack.  name: UTF-8, "" when it has none.
- * xyz[3*n_vertices]; triangle[3*n_triangles] counts vertices from 0, outward
+ * xyz[3*n_vertices], of structure sets in patient coordinates (LPS);
+ * triangle[3*n_triangles] counts vertices from 0, outward
  * normals by the right-hand rule.  contour_vertex[n_vertices]: 1 where the
  * vertex is one of the contours', 0 where isoloft inserted it.  volume, area in
  * the unit cubed and squared; genus: handles and tunnels of all components. */

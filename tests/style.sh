@@ -139,7 +139,7 @@ else
 fi
 
 for f in $sources $headers $tests $examples $(find tests -name '*.sh'); do
-    case $f in tests/t-*.c | tests/bench/*.c) f=${f%.c} ;; esac # where automake knows that it is FILE.c
+    case $f in tests/t-*.c | tests/cut.c | tests/bench/*.c) f=${f%.c} ;; esac # where automake knows that it is FILE.c
     grep -q -E "^[^#]*$f(\.c)?( |$)" Makefile.am || echo "$f"
 done >"$found"
 none "every file is in Makefile.am, so in the distribution"

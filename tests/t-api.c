@@ -194,6 +194,42 @@ static void nothing_in_gives_nothing_out(void **state)
     assert_null(b.data);
 }
 
+/* Two ROIs of a structure set: one without contours, and one in planes across y. */
+static const char set_text[] =
+    "(3006,0020) SQ (Sequence with explicit length #=2) # 0, 1 StructureSetROISequence\n"
+    "(fffe,e000) na (Item) # 0, 1 Item\n(3006,0022) IS [1] # 2, 1 ROINumber\n"
+    "(3006,0026) LO [empty] # 6, 1 ROIName\n(fffe,e00d) na (Item) # 0, 0 Item\n"
+    "(fffe,e000) na (Item) # 0, 1 Item\n(3006,0022) IS [2] # 2, 1 ROINumber\n"
+    "(3006,0026) LO [box] # 4, 1 ROIName\n(fffe,e00d) na (Item) # 0, 0 Item\n"
+    "(fffe,e0dd) na (End) # 0, 0 End\n"
+    "(3006,0039) SQ (Sequence with explicit length #=1) # 0, 1 ROIContourSequence\n"
+    "(fffe,e000) na (Item) # 0, 1 Item\n"
+    "(3006,0040) SQ (Sequence with explicit length #=2) # 0, 1 ContourSequence\n"
+    "(fffe,e000) na (Item) # 0, 1 Item\n(3006,0042) CS [CLOSED_PLANAR] # 14, 1 ContourGeometricType\n"
+    "(3006,0050) DS [0\\5\\0\\4\\5\\0\\4\\5\\3\\0\\5\\3] # 24,12 ContourData\n(fffe,e00d) na (Item) # 0, 0 Item\n"
+    "(fffe,e000) na (Item) # 0, 1 Item\n(3006,0042) CS [CLOSED_PLANAR] # 14, 1 ContourGeometricType\n"
+    "(3006,0050) DS [0\\7\\0\\4\\7\\0\\4\\7\\3\\0\\7\\3] # 24,12 ContourData\n(fffe,e00d) na (Item) # 0, 0 Item\n"
+    "(fffe,e0dd) na (End) # 0, 0 End\n(3006,0084) IS [2] # 2, 1 ReferencedROINumber\n"
+    "(fffe,e00d) na (Item) # 0, 0 Item\n(fffe,e0dd) na (End) # 0, 0 End\n";
+
+static void structure_sets_come_in_the_patients_coordinates(void **state)
+{
+    (void)state;
+    il_from from = from_text(set_text);
+    il_solids s = IL_SOLIDS_INIT;
+    il_error err = IL_ERROR_INIT;
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, NULL, &err), IL_OK);
+    assert_int_equal(s.n, 1);
+    assert_string_equal(s.solid[0].name, "box");
+    assert_true(fabs(s.solid[0].volume - 24) < 1e-9);
+    double most[3] = { 0, 0, 0 };
+    for (size_t i = 0; i < s.solid[0].n_vertices; i++)
+        for (size_t k = 0; k < 3; k++)
+            most[k] = fmax(most[k], s.solid[0].xyz[3 * i + k]);
+    assert_true(most[0] == 4 && most[1] == 7 && most[2] == 3);
+    il_solids_free(&s);
+}
+
 static void collect(void *self, const char *sentence)
 {
     char *all = self;
@@ -282,6 +318,7 @@ int main(void)
         cmocka_unit_test(a_call_that_makes_no_sense_is_refused),
         cmocka_unit_test(numbers_that_are_none_are_refused),
         cmocka_unit_test(nothing_in_gives_nothing_out),
+        cmocka_unit_test(structure_sets_come_in_the_patients_coordinates),
         cmocka_unit_test(repairs_are_told),
         cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(calls_at_the_same_time_are_safe),

@@ -52,7 +52,7 @@ static void numbers_are_short_and_do_not_drift(void **state)
     il_free(text);
     /* A thousand steps of a third end where they should, to a hundredth. */
     open_sheet(&s);
-    const il_svg_view v = { 0, 0, 0, 0, 1, false };
+    const il_svg_view v = { 0, 0, 0, 0, 1 };
     double xy[2002];
     for (int k = 0; k <= 1000; k++) {
         xy[2 * k] = k / 3.0;

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "api/solids.h"
 #include "base/alloc.h"
+#include "output/mesh-settle.h"
 
 #include <string.h>
 
@@ -33,8 +34,9 @@ static il_status begin(il_mesh_sink *self, const il_stack_head *head, il_error *
     il_solids_sink *s = (il_solids_sink *)self;
     const char *name = il_stack_head_name(head);
     drop_open(self);
+    il_stack_head_free(&s->head);
     s->open.name = il_strndup(name, strlen(name));
-    return s->open.name ? IL_OK : il_fail_nomem(err);
+    return s->open.name ? il_stack_head_copy(&s->head, head, err) : il_fail_nomem(err);
 }
 
 static il_status piece(il_mesh_sink *self, const il_mesh *m, il_error *err)
@@ -49,16 +51,41 @@ static il_status piece(il_mesh_sink *self, const il_mesh *m, il_error *err)
         memcpy(o->xyz + 3 * o->n_vertices, m->xyz, m->n_vertices * 3 * sizeof *o->xyz);
     for (size_t i = 0; i < m->n_vertices; i++)
         o->contour_vertex[o->n_vertices + i] = m->origin[i].vertex >= 0;
-    if (m->n_triangles > 0)
-        memcpy(o->triangle + 3 * o->n_triangles, m->tri, m->n_triangles * 3 * sizeof *o->triangle);
+    bool mirrors = il_stack_head_mirrors(&s->head);
+    for (size_t i = 0; i < m->n_triangles; i++) {
+        uint32_t *to = o->triangle + 3 * (o->n_triangles + i);
+        memcpy(to, m->tri + 3 * i, 3 * sizeof *to);
+        if (mirrors)
+            to[1] = m->tri[3 * i + 2], to[2] = m->tri[3 * i + 1];
+    }
     o->n_vertices += m->n_vertices;
     o->n_triangles += m->n_triangles;
     return IL_OK;
 }
 
+/* The open solid in world coordinates, and still sound there. */
+static il_status place(il_solids_sink *s, il_error *err)
+{
+    il_solid *o = &s->open;
+    double *to = il_alloc(o->n_vertices, 3 * sizeof *to);
+    il_status st = to ? IL_OK : il_fail_nomem(err);
+    size_t where = 0;
+    for (size_t i = 0; st == IL_OK && i < o->n_vertices; i++)
+        il_stack_head_place(&s->head, o->xyz + 3 * i, to + 3 * i);
+    if (st == IL_OK && s->head.has_frame && !il_frame_is_exact(s->head.frame))
+        st = il_mesh_settle(o->xyz, to, o->n_vertices, o->triangle, o->n_triangles, false, &where, err);
+    il_free(st == IL_OK ? o->xyz : to);
+    if (st == IL_OK)
+        o->xyz = to;
+    return st;
+}
+
 static il_status end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *err)
 {
     il_solids_sink *s = (il_solids_sink *)self;
+    il_status st = place(s, err);
+    if (st != IL_OK)
+        return st;
     if (!il_grow(&s->list->solid, &s->cap, s->list->n + 1, sizeof *s->list->solid))
         return il_fail_nomem(err);
     s->open.components = facts->components;
@@ -86,4 +113,5 @@ void il_solids_sink_init(il_solids_sink *s, il_solids *list)
 void il_solids_sink_free(il_solids_sink *s)
 {
     drop_open(&s->sink);
+    il_stack_head_free(&s->head);
 }

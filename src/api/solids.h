@@ -9,7 +9,8 @@
 typedef struct il_solids_sink {
     il_mesh_sink sink;
     il_solids *list;
-    il_solid open;        /* the stack that is being built */
+    il_solid open;        /* the stack that is being built, in its own coordinates */
+    il_stack_head head;   /* its head */
     size_t cap, cap_vertices, cap_contour_vertices, cap_triangles;
 } il_solids_sink;
 

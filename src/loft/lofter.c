@@ -280,11 +280,13 @@ static il_status stack_end(il_sink *self, il_error *err)
 {
     lofter *l = (lofter *)self;
     il_status st = settle(l, NULL, err);
-    const char *name = il_stack_head_name(&l->head);
-    if (st == IL_OK && l->emitter.facts.points == 0)
-        st = il_fail(err, IL_E_INPUT, l->head.line, "stack \"%.60s\" has no contours", name);
-    else if (st == IL_OK && l->n_slices < 2)
-        st = il_fail(err, IL_E_INPUT, l->head.line, "stack \"%.60s\" has a single slice; a solid needs two", name);
+    if (st == IL_OK && l->emitter.facts.points == 0) {
+        clear(l);
+        return IL_OK;
+    }
+    if (st == IL_OK && l->n_slices < 2)
+        st = il_fail(err, IL_E_INPUT, l->head.line, "stack \"%.60s\" has a single slice; a solid needs two",
+                     il_stack_head_name(&l->head));
     else if (st == IL_OK)
         st = end_run(l, 0, err);
     if (st == IL_OK)

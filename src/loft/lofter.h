@@ -23,7 +23,8 @@ typedef struct il_loft_options {
 /* At most this many slices are held, with their pairs and slabs. */
 enum { IL_LOFT_WINDOW = 8 };
 
-/* A sink that lofts every stack into NEXT (borrowed).  Slices come clean and in
+/* A sink that lofts every stack into NEXT (borrowed); one without contours has no
+ * surface, and is abandoned.  Slices come clean and in
  * rising z; a slice without a pair is matched by the identity.
  * IL_E_SURFACE names stack, slices and place when no attempt passes the
  * certificate: then NEXT was told to abandon the stack, and the caller may go

@@ -82,6 +82,22 @@ const char *il_stack_head_name(const il_stack_head *h)
     return h->name ? h->name : "";
 }
 
+void il_stack_head_place(const il_stack_head *h, const double from[3], double to[3])
+{
+    double x = from[0], y = from[1], z = from[2], as_is[3] = { x, y, z };
+    for (int i = 0; i < 3; i++) {
+        double p = h->has_frame ? h->frame[i] + x * h->frame[3 + i] + y * h->frame[6 + i] + z * h->frame[9 + i] : as_is[i];
+        to[i] = p + 0.0; /* -0 becomes 0: one value, one form, whatever the input wrote */
+    }
+}
+
+bool il_stack_head_mirrors(const il_stack_head *h)
+{
+    const double *a = h->frame + 3, *b = h->frame + 6, *c = h->frame + 9;
+    return h->has_frame && a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                               a[2] * (b[0] * c[1] - b[1] * c[0]) < 0;
+}
+
 il_status il_stack_head_refuse_fault(const il_stack_head *h, il_error *err)
 {
     if (!h->fault)

@@ -51,6 +51,11 @@ void il_stack_head_free(il_stack_head *h);
 il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err);
 /* Replace the name by the N bytes at S. */
 bool il_stack_head_set_name(il_stack_head *h, const char *s, size_t n);
+/* A point of the stack in world coordinates, by the frame if there is one; -0 as
+ * 0.  TO may be FROM. */
+void il_stack_head_place(const il_stack_head *h, const double from[3], double to[3]);
+/* Does the frame turn surfaces inside out: are its axes left-handed? */
+bool il_stack_head_mirrors(const il_stack_head *h);
 /* IL_E_INPUT with its fault's words and line when it has one; whoever makes
  * something of a stack asks first. */
 il_status il_stack_head_refuse_fault(const il_stack_head *h, il_error *err);

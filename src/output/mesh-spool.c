@@ -24,14 +24,6 @@ uint64_t il_mesh_spool_n_triangles(const il_mesh_spool *m)
     return s->first_triangle + s->n_triangles;
 }
 
-/* A frame whose axes are left-handed turns the surface inside out. */
-static bool is_left_handed(const il_stack_head *h)
-{
-    const double *a = h->frame + 3, *b = h->frame + 6, *c = h->frame + 9;
-    return h->has_frame && a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                               a[2] * (b[0] * c[1] - b[1] * c[0]) < 0;
-}
-
 static il_status begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
 {
     il_mesh_spool *m = (il_mesh_spool *)self;
@@ -44,7 +36,7 @@ static il_status begin(il_mesh_sink *self, const il_stack_head *head, il_error *
     il_status st = il_stack_head_copy(&s.head, head, err);
     if (st != IL_OK)
         return st;
-    s.left_handed = is_left_handed(head);
+    s.left_handed = il_stack_head_mirrors(head);
     s.rounds = head->has_frame && !il_frame_is_exact(head->frame);
     s.index = m->n_begun;
     m->n_begun += m->n_begun < INT32_MAX;
@@ -53,23 +45,12 @@ static il_status begin(il_mesh_sink *self, const il_stack_head *head, il_error *
     return IL_OK;
 }
 
-/* The stack's coordinates into the world's: o + x a + y b + z c. */
-static void place(const il_stack_head *h, const double from[3], double to[3])
-{
-    for (int i = 0; i < 3; i++) {
-        double p = from[i];
-        if (h->has_frame)
-            p = h->frame[i] + from[0] * h->frame[3 + i] + from[1] * h->frame[6 + i] + from[2] * h->frame[9 + i];
-        to[i] = p + 0.0; /* -0 becomes 0: one value, one form, whatever the input wrote */
-    }
-}
-
 static il_status spool_vertices(il_mesh_spool *m, il_spooled_stack *s, const il_mesh *piece, il_error *err)
 {
     for (size_t i = 0; i < piece->n_vertices; i++) {
         il_spooled_vertex v;
         memset(&v, 0, sizeof v);
-        place(&s->head, piece->xyz + 3 * i, v.xyz);
+        il_stack_head_place(&s->head, piece->xyz + 3 * i, v.xyz);
         v.origin = piece->origin[i];
         if (!isfinite(v.xyz[0]) || !isfinite(v.xyz[1]) || !isfinite(v.xyz[2]))
             return il_fail(err, IL_E_INPUT, s->head.line, "the frame of stack '%.80s' takes points beyond all numbers",
@@ -150,7 +131,7 @@ static il_status gather_vertex(void *self, const il_spooled_vertex *v, il_error 
     settler *s = self;
     s->vertex[s->n] = *v;
     memcpy(s->xyz + 3 * s->n, v->xyz, sizeof v->xyz);
-    place(s->head, v->xyz, s->to + 3 * s->n++);
+    il_stack_head_place(s->head, v->xyz, s->to + 3 * s->n++);
     return IL_OK;
 }
 

@@ -70,3 +70,8 @@ size_t il_text_printable(char *to, size_t size, const char *s, size_t n)
         to[used] = '\0';
     return used;
 }
+
+int il_hex_digit(char c)
+{
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}

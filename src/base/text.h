@@ -18,4 +18,7 @@ size_t il_utf8_char(const char *s, size_t n, unsigned long *code);
 
 bool il_utf8_valid(const char *s, size_t n);
 
+/* The value of the hexadecimal digit C, in either case; -1 when it is none. */
+int il_hex_digit(char c);
+
 #endif

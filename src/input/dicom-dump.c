@@ -6,6 +6,7 @@
  * can be the value's end. */
 #include "config.h"
 #include "base/alloc.h"
+#include "base/text.h"
 #include "input/rt-set.h"
 
 #include <stdio.h>
@@ -42,11 +43,6 @@ typedef struct element_line {
     long line;
 } element_line;
 
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
 /* "(gggg,eeee)" at the start of S[0..N). */
 static bool parse_tag(const char *s, size_t n, uint32_t *tag)
 {
@@ -55,7 +51,7 @@ static bool parse_tag(const char *s, size_t n, uint32_t *tag)
     if (n < TAG_LENGTH)
         return false;
     for (size_t i = 0; i < TAG_LENGTH; i++) {
-        int digit = hex_digit(s[i]);
+        int digit = il_hex_digit(s[i]);
         if (form[i] == 'x' ? digit < 0 : s[i] != form[i])
             return false;
         if (form[i] == 'x')

@@ -7,17 +7,19 @@
  * at hand, joined by backslashes as in a DICOM file. */
 #include "config.h"
 #include "base/alloc.h"
+#include "base/text.h"
 #include "input/json-scan.h"
 #include "input/rt-set.h"
 
 #include <string.h>
 
-/* An element whose object is open.  is_wanted: the set takes its value.
+/* An element whose object is open.  is_wanted: the set takes its value;
+ * is_needed: or it is one of the sequences around such elements.
  * is_sequence: its items are given to the set.  says_sequence: so says its vr. */
 typedef struct element {
     uint32_t tag;
     long line;
-    bool is_wanted, is_sequence, says_sequence;
+    bool is_wanted, is_needed, is_sequence, says_sequence;
     bool has_value;     /* the member Value was there */
     size_t n_values;    /* those that are no items */
 } element;
@@ -39,29 +41,17 @@ typedef struct document {
 
 enum { TAG_LENGTH = 8 };
 
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
 /* S[0..N) is eight hex digits. */
 static bool parse_tag(const char *s, size_t n, uint32_t *tag)
 {
     *tag = 0;
     for (size_t i = 0; i < n && i < TAG_LENGTH; i++) {
-        int digit = hex_digit(s[i]);
+        int digit = il_hex_digit(s[i]);
         if (digit < 0)
             return false;
         *tag = *tag << 4 | (uint32_t)digit;
     }
     return n == TAG_LENGTH;
-}
-
-/* Without it contours, or what is said of them, would be lost. */
-static bool is_needed(const element *e)
-{
-    return e->is_wanted || e->tag == IL_TAG(0x3006, 0x0020) || e->tag == IL_TAG(0x3006, 0x0039) ||
-           e->tag == IL_TAG(0x3006, 0x0040) || e->tag == IL_TAG(0x3006, 0x0080);
 }
 
 static element *innermost(const document *d)
@@ -130,7 +120,7 @@ static il_status take_object(document *d, element *e)
     il_status st = next(d, &event);
     if (st != IL_OK)
         return st;
-    if (event == IL_JSON_KEY && !parse_tag(d->json.text, d->json.n, &tag) && !is_needed(e)) {
+    if (event == IL_JSON_KEY && !parse_tag(d->json.text, d->json.n, &tag) && !e->is_needed) {
         while (st == IL_OK && d->json.depth > outside)
             st = next(d, &event);
         return st;
@@ -156,7 +146,7 @@ static il_status take_value(document *d, il_json_event event)
     case IL_JSON_OBJECT:
         return take_object(d, e);
     case IL_JSON_ARRAY:
-        return is_needed(e) ? fail_element(d, e, "a value is an array") : il_json_scan_skip(&d->json, event, d->err);
+        return e->is_needed ? fail_element(d, e, "a value is an array") : il_json_scan_skip(&d->json, event, d->err);
     default:
         return take_scalar(d, e, event);
     }
@@ -185,14 +175,14 @@ static il_status take_vr(document *d, element *e, il_json_event event)
 
 static il_status take_bulk(document *d, const element *e, il_json_event event)
 {
-    if (is_needed(e))
+    if (e->is_needed)
         return fail_element(d, e, "its value is elsewhere (BulkDataURI): have it written into the JSON");
     return il_json_scan_skip(&d->json, event, d->err);
 }
 
 static il_status take_binary(document *d, const element *e, il_json_event event)
 {
-    if (is_needed(e))
+    if (e->is_needed)
         return fail_element(d, e, "its value is binary (InlineBinary), as its type was not known when the JSON was made");
     return il_json_scan_skip(&d->json, event, d->err);
 }
@@ -202,7 +192,7 @@ static il_status end_element(document *d)
 {
     element *e = innermost(d);
     il_status st = IL_OK;
-    if (e->says_sequence && e->n_values > 0 && is_needed(e))
+    if (e->says_sequence && e->n_values > 0 && e->is_needed)
         return fail_element(d, e, "not all values of this sequence are items");
     if (e->says_sequence && !e->is_sequence)
         st = il_rt_set_begin_sequence(d->set, e->tag, e->line, d->err);
@@ -263,6 +253,7 @@ static il_status take_member(document *d, il_json_event event)
         return il_fail(d->err, IL_E_INPUT, j->line, "'%.*s' is no tag: eight hex digits",
                        (int)(j->n < 40 ? j->n : 40), j->text);
     e.is_wanted = il_rt_set_wants(d->set, e.tag);
+    e.is_needed = il_rt_set_needs(d->set, e.tag);
     il_status st = next(d, &event);
     if (st != IL_OK)
         return st;

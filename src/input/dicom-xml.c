@@ -3,6 +3,7 @@
  * by their names alone; the two forms have none in common. */
 #include "config.h"
 #include "base/alloc.h"
+#include "base/text.h"
 #include "input/dicom-quoted.h"
 #include "input/dicom-values.h"
 #include "input/rt-set.h"
@@ -22,14 +23,14 @@ typedef enum kind {
 
 /* open[depth]: the elements around, less the n_skipped innermost, which mean
  * nothing here.  level: depth inside the data set at hand, 0 when there is none.
- * Then the attribute at hand: is it wanted, and where does it begin.
+ * Then the attribute at hand: does the set want it, or need it, and where it begins.
  * quotes: the file declares no encoding, so non-ASCII characters may be bytes. */
 typedef struct parser {
     il_rt_set *set;
     size_t max_depth;
     unsigned char *open;        size_t depth, cap;
     size_t n_skipped, level;
-    bool seen, is_wanted;
+    bool seen, is_wanted, is_needed;
     uint32_t tag;
     long line;
     il_dicom_values values;
@@ -56,11 +57,6 @@ static kind innermost(const parser *p)
 
 /* ---- tags and VRs ------------------------------------------------------------------ */
 
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
 /* Eight digits, with a comma after four or without. */
 static il_status take_tag(const il_xml_element *e, uint32_t *tag, il_error *err)
 {
@@ -68,7 +64,7 @@ static il_status take_tag(const il_xml_element *e, uint32_t *tag, il_error *err)
     const char *s = il_xml_attribute(e, "tag", &n);
     *tag = 0;
     for (size_t i = 0; i < n; i++) {
-        int digit = hex_digit(s[i]);
+        int digit = il_hex_digit(s[i]);
         if (i == 4 && n == 9 && s[i] == ',')
             continue;
         if (digit < 0)
@@ -97,13 +93,6 @@ static bool is_text_vr(const il_xml_element *e)
         if (has_value(e, "vr", vrs[i]))
             return true;
     return false;
-}
-
-/* Without this there would be less in the file than it says. */
-static bool is_needed(const parser *p)
-{
-    return p->is_wanted || p->tag == IL_TAG(0x3006, 0x0020) || p->tag == IL_TAG(0x3006, 0x0039) ||
-           p->tag == IL_TAG(0x3006, 0x0040) || p->tag == IL_TAG(0x3006, 0x0080);
 }
 
 /* ---- data sets ---------------------------------------------------------------------- */
@@ -137,6 +126,7 @@ static il_status begin_attribute(parser *p, const il_xml_element *e, il_error *e
 {
     il_status st = take_tag(e, &p->tag, err);
     p->is_wanted = st == IL_OK && il_rt_set_wants(p->set, p->tag);
+    p->is_needed = st == IL_OK && il_rt_set_needs(p->set, p->tag);
     p->line = e->line;
     il_dicom_values_clear(&p->values, is_text_vr(e));
     return st;
@@ -156,9 +146,9 @@ static il_status begin_element(parser *p, const il_xml_element *e, il_error *err
     il_status st = begin_attribute(p, e, err);
     if (st != IL_OK)
         return st;
-    if (is_needed(p) && has_value(e, "loaded", "no"))
+    if (p->is_needed && has_value(e, "loaded", "no"))
         return refuse_binary(p, "was not loaded: make the XML with dcm2xml +M", err);
-    if (is_needed(p) && il_xml_attribute(e, "binary", &(size_t){ 0 }) && !has_value(e, "binary", "no"))
+    if (p->is_needed && il_xml_attribute(e, "binary", &(size_t){ 0 }) && !has_value(e, "binary", "no"))
         return refuse_binary(p, "is not text but binary data", err);
     return p->is_wanted ? il_dicom_values_begin(&p->values, NULL, 0, err) : IL_OK;
 }
@@ -240,7 +230,7 @@ static il_status start_in_attribute(parser *p, const il_xml_element *e, kind *k,
         const char *number = il_xml_attribute(e, "number", &n);
         return p->is_wanted ? il_dicom_values_begin(&p->values, number, n, err) : IL_OK;
     }
-    if (*k == KIND_BINARY && is_needed(p))
+    if (*k == KIND_BINARY && p->is_needed)
         return refuse_binary(p, NOT_TEXT, err);
     if (*k != KIND_ITEM) {
         *k = KIND_UNKNOWN;

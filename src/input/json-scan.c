@@ -6,6 +6,7 @@
 #include "config.h"
 #include "input/json-scan.h"
 #include "base/alloc.h"
+#include "base/text.h"
 #include "base/number.h"
 
 #include <string.h>
@@ -211,11 +212,6 @@ bool il_json_scan_value(const il_json_scan *j, double *value)
 
 /* ---- strings ------------------------------------------------------------------- */
 
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
 /* The four hex digits of "\uXXXX" at S; -1 when that is not what stands there. */
 static long unicode_escape(const char *s, size_t n)
 {
@@ -223,7 +219,7 @@ static long unicode_escape(const char *s, size_t n)
     if (n < 6 || s[0] != '\\' || s[1] != 'u')
         return -1;
     for (size_t i = 2; i < 6; i++) {
-        int digit = hex_digit(s[i]);
+        int digit = il_hex_digit(s[i]);
         if (digit < 0)
             return -1;
         code = code << 4 | digit;

@@ -268,9 +268,28 @@ static const struct wanted *find_wanted(const il_rt_set *s, uint32_t tag)
     return NULL;
 }
 
+/* What the sequence TAG is where the parser is. */
+static place find_list(const il_rt_set *s, uint32_t tag)
+{
+    static const struct { place in; uint32_t tag; place list; } lists[] = {
+        { PLACE_DATASET, IL_TAG(0x3006, 0x0020), PLACE_ROI_LIST },
+        { PLACE_DATASET, IL_TAG(0x3006, 0x0039), PLACE_CONTOURS_LIST },
+        { PLACE_CONTOURS, IL_TAG(0x3006, 0x0040), PLACE_CONTOUR_LIST },
+        { PLACE_DATASET, IL_TAG(0x3006, 0x0080), PLACE_OBSERVATION_LIST } };
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        if (lists[i].in == innermost(s) && lists[i].tag == tag)
+            return lists[i].list;
+    return PLACE_OTHER_LIST;
+}
+
 bool il_rt_set_wants(const il_rt_set *s, uint32_t tag)
 {
     return find_wanted(s, tag) != NULL;
+}
+
+bool il_rt_set_needs(const il_rt_set *s, uint32_t tag)
+{
+    return il_rt_set_wants(s, tag) || find_list(s, tag) != PLACE_OTHER_LIST;
 }
 
 il_status il_rt_set_element(il_rt_set *s, uint32_t tag, const char *text, size_t n, bool is_utf8,
@@ -395,22 +414,13 @@ il_status il_rt_set_begin_dataset(il_rt_set *s, long line, il_error *err)
 
 il_status il_rt_set_begin_sequence(il_rt_set *s, uint32_t tag, long line, il_error *err)
 {
-    static const struct { place in; uint32_t tag; place list; } lists[] = {
-        { PLACE_DATASET, IL_TAG(0x3006, 0x0020), PLACE_ROI_LIST },
-        { PLACE_DATASET, IL_TAG(0x3006, 0x0039), PLACE_CONTOURS_LIST },
-        { PLACE_CONTOURS, IL_TAG(0x3006, 0x0040), PLACE_CONTOUR_LIST },
-        { PLACE_DATASET, IL_TAG(0x3006, 0x0080), PLACE_OBSERVATION_LIST } };
     if (s->depth == 0 || is_list(innermost(s)))
         return il_fail(err, IL_E_INPUT, line, "a sequence outside of an item");
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-        if (lists[i].in != innermost(s) || lists[i].tag != tag)
-            continue;
-        s->has_list |= lists[i].list == PLACE_ROI_LIST;
-        s->has_contours |= lists[i].list == PLACE_CONTOURS_LIST;
-        s->has_observations |= lists[i].list == PLACE_OBSERVATION_LIST;
-        return push(s, lists[i].list, line, err);
-    }
-    return push(s, PLACE_OTHER_LIST, line, err);
+    place list = find_list(s, tag);
+    s->has_list |= list == PLACE_ROI_LIST;
+    s->has_contours |= list == PLACE_CONTOURS_LIST;
+    s->has_observations |= list == PLACE_OBSERVATION_LIST;
+    return push(s, list, line, err);
 }
 
 il_status il_rt_set_begin_item(il_rt_set *s, long line, il_error *err)

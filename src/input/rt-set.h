@@ -42,6 +42,10 @@ il_status il_rt_set_end_dataset(il_rt_set *s, long line, il_error *err);
  * need not put a value together. */
 bool il_rt_set_wants(const il_rt_set *s, uint32_t tag);
 
+/* Would anything be lost without TAG where the set is now?  It is an element that
+ * the set wants, or one of the sequences that they are in. */
+bool il_rt_set_needs(const il_rt_set *s, uint32_t tag);
+
 /* Element TAG has the value TEXT[0..N), several values with a backslash between
  * two.  IS_UTF8: the bytes are UTF-8; else they are in the character set that
  * the file names in (0008,0005).  Elements that the set does not want pass. */

@@ -24,7 +24,7 @@ static void add_box(il_slice *s, double x0, double y0, double x1, double y1)
 
 static void clean_slices(il_slice *slice, size_t n, bool round_float)
 {
-    il_clean_options c = { round_float };
+    il_clean_options c = { .round_float = round_float };
     for (size_t i = 0; i < n; i++) {
         slice[i].z = round_float ? il_number_round_float(slice[i].z) : slice[i].z;
         assert_int_equal(il_slice_clean(&slice[i], &c, NULL, NULL, NULL), IL_OK);

@@ -3,6 +3,7 @@
 
 block small >block.loft
 "$ISOLOFT" block.loft -t ply >block.ply
+awk '/^slice/ { $2 *= $2 * $2; n++ } /^end/ { while (n++ < 6) print "slice", 18 + n / 2, "\nring\n0 0\n9 0\n9 9" } { print }' block.loft >broken.loft
 printf '<svg><title>s</title><g data-z="0"><rect width="9" height="9"/><circle cx="4" cy="4" r="2"/></g>
 <g id="layer2" data-z="1" transform="scale(2)"><path d="M0 0h4v4h-4zM1 1v2h2v-2z"/></g></svg>' >small.svg
 
@@ -55,6 +56,7 @@ starve() { # SENTENCE COMMAND...: writes to box/
 }
 starve "convert survives every failing allocation" "$ISOLOFT" block.loft -o box/b.stl
 starve "so does SVG, with pairs and a dome" "$ISOLOFT" small.svg --cap dome -o box/b.ply --pairs box/p.loft
+starve "so do gaps and slices that stand alone" "$ISOLOFT" broken.loft --gap cap --cap dome -o box/b.ply --pairs box/p.loft
 starve "so does read" "$ISOLOFT" read small.svg -o box/b.loft
 starve "so does match" "$ISOLOFT" match block.loft -o box/b.loft
 starve "so does mesh" "$ISOLOFT" mesh block.loft -o box/b.obj --to in

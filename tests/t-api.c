@@ -106,6 +106,35 @@ static void slices_are_matched_unless_told_otherwise(void **state)
     il_solids_free(&s);
 }
 
+static void gaps_and_single_slices_are_treated_as_is_wanted(void **state)
+{
+    (void)state;
+    static const double square[] = { 0, 0, 2, 0, 2, 2, 0, 2 };
+    static const il_contour c[] = { { 0, square, 4, 1 },  { 1, square, 4, 1 },  { 20, square, 4, 1 },
+                                    { 40, square, 4, 1 }, { 41, square, 4, 1 }, { 42, square, 4, 1 } };
+    static const struct { il_gap_mode gaps; double thickness; il_status st; long components; double volume; } cases[] = {
+        { IL_GAPS_AS_GIVEN, 0, IL_OK, 1, 4 * 42 }, { IL_GAPS_BRIDGE, 7, IL_OK, 1, 4 * 42 }, { IL_GAPS_CAP, 0, IL_OK, 3, 4 * 4 },
+        { IL_GAPS_CAP, 5, IL_OK, 3, 4 * 8 }, { IL_GAPS_FAIL, 0, IL_E_INPUT, 0, 0 }, { (il_gap_mode)7, 0, IL_E_USAGE, 0, 0 },
+        { IL_GAPS_CAP, -1, IL_E_USAGE, 0, 0 } };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        il_from from = { .contour = c, .n_contours = 6 };
+        il_settings settings = { .gaps = cases[k].gaps, .thickness = cases[k].thickness };
+        il_solids s = IL_SOLIDS_INIT;
+        il_error err = IL_ERROR_INIT;
+        assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &settings, &err), cases[k].st);
+        if (cases[k].st == IL_OK) {
+            assert_int_equal(s.solid[0].components, cases[k].components);
+            assert_true(fabs(s.solid[0].volume - cases[k].volume) < 1e-9);
+        }
+        il_solids_free(&s);
+    }
+    il_from one = { .contour = c, .n_contours = 1 };
+    il_solids s = IL_SOLIDS_INIT;
+    assert_int_equal(il_loft(&one, &(il_to){ .solids = &s }, &(il_settings){ .thickness = 3 }, NULL), IL_OK);
+    assert_true(fabs(s.solid[0].volume - 12) < 1e-9);
+    il_solids_free(&s);
+}
+
 static void a_dome_adds_to_the_volume(void **state)
 {
     (void)state;
@@ -313,6 +342,7 @@ int main(void)
         cmocka_unit_test(arrays_and_text_give_the_same_bytes),
         cmocka_unit_test(stack_numbers_part_solids),
         cmocka_unit_test(slices_are_matched_unless_told_otherwise),
+        cmocka_unit_test(gaps_and_single_slices_are_treated_as_is_wanted),
         cmocka_unit_test(a_dome_adds_to_the_volume),
         cmocka_unit_test(a_file_appears_whole_or_not_at_all),
         cmocka_unit_test(a_call_that_makes_no_sense_is_refused),

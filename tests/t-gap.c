@@ -277,7 +277,8 @@ static void a_thickness_keeps_clear_of_the_neighbours(void **state)
     assert_int_equal(play(&l, r, COUNT(r), &plain, &thick, &report, NULL), IL_OK);
     assert_string_equal(l.words, "( 0 1 9.2*g 11 12.8* 15g 16).");
     assert_int_equal(report.n_notes, 1);
-    assert_string_equal(report.note[0], "the single slice at z = 11 is made 3.6 thick and not 100, to keep clear of its neighbours");
+    assert_string_equal(report.note[0], "1 of 1 single slices are less than 100 thick, to keep clear of their neighbours; "
+                        "the first, at z = 11, is 3.6");
     il_report_free(&report);
     il_slice_free(&l.last);
 }

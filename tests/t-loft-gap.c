@@ -255,8 +255,8 @@ static void lids_have_what_is_inserted_on_either_side(void **state)
                 add_box(&slice[i], -3, -3, 3, 3);
             } else {
                 il_ring *r = il_slice_add_ring(&slice[i]);
-                assert_true(r && il_ring_add(r, 0, -4, 0) && il_ring_add(r, 4, 0, 0) && il_ring_add(r, 0, 4, 0) &&
-                            il_ring_add(r, -4, 0, 0));
+                assert_non_null(r);
+                assert_true(il_ring_add(r, 0, -4, 0) && il_ring_add(r, 4, 0, 0) && il_ring_add(r, 0, 4, 0) && il_ring_add(r, -4, 0, 0));
             }
         }
         clean_slices(slice, n, false);

@@ -2,9 +2,11 @@
 #include "model/rescale.h"
 #include "test.h"
 
+#include <math.h>
+
 
 /* Keeps what arrives last. */
-typedef struct keeper { il_sink sink; il_unit unit; double z, x, y, origin; bool has_crs; } keeper;
+typedef struct keeper { il_sink sink; il_unit unit; double z, x, y, origin, usual, scale; bool has_crs, gap; } keeper;
 
 static il_status keep_begin(il_sink *s, const il_stack_head *h, il_error *err)
 {
@@ -13,6 +15,8 @@ static il_status keep_begin(il_sink *s, const il_stack_head *h, il_error *err)
     k->unit = h->unit;
     k->origin = h->frame[0];
     k->has_crs = h->crs != NULL;
+    k->usual = h->usual_spacing;
+    k->scale = h->length_scale;
     return IL_OK;
 }
 
@@ -28,8 +32,7 @@ static il_status keep_slice(il_sink *s, il_slice *slice, il_error *err)
 
 static il_status keep_pair(il_sink *s, il_pair *p, il_error *err)
 {
-    (void)s;
-    (void)p;
+    ((keeper *)s)->gap = p->gap;
     (void)err;
     return IL_OK;
 }
@@ -51,12 +54,15 @@ static il_status rescale(il_unit from, il_unit to, double z, double x, double y,
     head.unit = from;
     head.has_frame = true;
     head.frame[0] = x;
+    head.usual_spacing = 3;
     head.crs = (char *)"EPSG:28992";
     il_slice slice = IL_SLICE_INIT;
     slice.z = z;
     assert_true(il_ring_add(il_slice_add_ring(&slice), x, y, 0));
     st = st == IL_OK ? r->stack_begin(r, &head, err) : st;
     st = st == IL_OK ? r->slice(r, &slice, err) : st;
+    il_pair gap = { .gap = true };
+    st = st == IL_OK ? r->pair(r, &gap, err) : st;
     st = st == IL_OK ? r->stack_end(r, err) : st;
     il_slice_free(&slice);
     il_rescaler_free(r);
@@ -78,6 +84,7 @@ static void lengths_change_with_their_unit(void **state)
         assert_int_equal(to.unit, c[k].to);
         assert_true(to.z == c[k].y && to.x == c[k].y && to.y == -c[k].y && to.origin == c[k].y);
         assert_false(to.has_crs);
+        assert_true(fabs(to.usual - 3 * to.scale) <= 1e-15 * to.usual && fabs(to.scale * c[k].x - c[k].y) <= 1e-15 * c[k].y && to.gap);
         assert_int_equal(report.n_notes, 2);
         assert_false(il_report_any(&report));
         il_report_free(&report);
@@ -91,7 +98,7 @@ static void the_same_unit_touches_nothing(void **state)
     il_report report = IL_REPORT_INIT;
     il_error err = IL_ERROR_INIT;
     assert_int_equal(rescale(IL_UNIT_FT, IL_UNIT_FT, 1, 0.1, 0.3, &to, &report, &err), IL_OK);
-    assert_true(to.x == 0.1 && to.y == 0.3 && to.has_crs);
+    assert_true(to.x == 0.1 && to.y == 0.3 && to.has_crs && to.usual == 3 && to.scale == 0 && to.gap);
     assert_int_equal(report.n_notes, 0);
 }
 

@@ -52,7 +52,7 @@ static void free_slices(il_slice *slice, size_t n)
 /* ---- a next stage that writes all down ---- */
 
 /* words: "(", a slice's height and a blank, "f" for a pair that was matched, "P"
- * for one that the stream brought, ")" and ".".  written: the same as native
+ * for one that the stream brought, "G" for a gap, ")" and ".".  written: the same as native
  * text.  fails_at: the call that fails, from 0, or -1.  Slices and records are
  * taken, and overwritten: whoever still reads them would see it. */
 typedef struct listener {
@@ -93,7 +93,7 @@ static il_status on_slice(il_sink *s, il_slice *slice, il_error *err)
 static il_status on_pair(il_sink *s, il_pair *pair, il_error *err)
 {
     listener *l = (listener *)s;
-    const char *word = pair->matcher == IL_MATCHER_FFD ? "f" : "P";
+    const char *word = pair->gap ? "G" : pair->matcher == IL_MATCHER_FFD ? "f" : "P";
     il_status st = l->writer->pair(l->writer, pair, err);
     il_pair_free(pair);
     return st == IL_OK ? hear(l, word, err) : st;
@@ -130,7 +130,7 @@ static void free_listener(listener *l)
 /* ---- streams, as words ---- */
 
 /* Play WORDS: "(", "s" for the next of SLICES (copied), "P" for a pair the stream
- * brings, on line 7, ")" and ".".  Ends with the first failure. */
+ * brings, on line 7, "G" for a gap, ")" and ".".  Ends with the first failure. */
 static il_status play(const char *words, const il_slice *slices, int threads, listener *l, il_error *err)
 {
     const il_match_options o = { IL_MATCHER_FFD, false, threads };
@@ -141,11 +141,12 @@ static il_status play(const char *words, const il_slice *slices, int threads, li
         il_slice slice = IL_SLICE_INIT;
         il_pair pair = IL_PAIR_INIT;
         pair.line = 7;
+        pair.gap = *words == 'G';
         if (*words == 's')
             st = il_slice_copy(&slice, slices++, err);
         if (st == IL_OK)
             st = *words == '(' ? m->stack_begin(m, &head, err) : *words == ')' ? m->stack_end(m, err)
-               : *words == '.' ? m->end(m, err) : *words == 'P' ? m->pair(m, &pair, err) : m->slice(m, &slice, err);
+               : *words == '.' ? m->end(m, err) : *words == 'P' || *words == 'G' ? m->pair(m, &pair, err) : m->slice(m, &slice, err);
         il_slice_free(&slice);
         il_pair_free(&pair);
     }
@@ -206,6 +207,7 @@ static void records_of_the_stream_keep_their_places(void **state)
     static const struct { const char *words, *heard; } c[] = {
         { "(sssPsssssssPsPssssP).", "(0 1 f2 P3 f4 f5 f6 f7 f8 f9 P10 P11 f12 f13 f14 P)." },
         { "(ssPsPsPsPsPsPsPsPsPsP).", "(0 1 P2 P3 P4 P5 P6 P7 P8 P9 P10 P)." },
+        { "(ssGssssGsssssGs).", "(0 1 G2 f3 f4 f5 G6 f7 f8 f9 f10 G11 f)." },
         { "(s)(ss)()(ssssssssss).", "(0 )(1 2 f)()(3 4 f5 f6 f7 f8 f9 f10 f11 f12 f)." } };
     il_slice slice[15];
     make_slices(slice, 15, 2);

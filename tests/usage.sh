@@ -97,7 +97,7 @@ for example in example?; do
     exits 0 "the manual's example runs: $(head -n 1 "$example" | cut -c 1-50)" \
         env PATH="$PWD/bin:$PATH" sh -e "./$example"
 done
-for file in vase.stl vase.ply vase.obj pairs.loft parts/0001-vase.ply parts/index.json account.json cone.stl slices.svg pair.svg; do
+for file in vase.stl vase.ply vase.obj pairs.loft parts/0001-vase.ply parts/index.json account.json cone.stl pieces.stl plate.stl slices.svg pair.svg; do
     holds "and leaves $file" test -s $file
 done
 holds "the README's pipe runs" sh -c 'sed -n "s|^    ./isoloft read|isoloft read|p" "$srcdir/README.md" |

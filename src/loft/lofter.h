@@ -8,7 +8,7 @@
 typedef enum il_cap { IL_CAP_FLAT, IL_CAP_DOME } il_cap;
 
 /* threads: at least 1; the mesh is the same for any number.  cap: how the first
- * and last slice are closed.  round_float: positions are rounded to 32-bit
+ * and last slice are closed, and those at gaps.  round_float: positions are rounded to 32-bit
  * floats before they are certified (STL). */
 typedef struct il_loft_options {
     int threads;
@@ -20,12 +20,16 @@ typedef struct il_loft_options {
 
 #define IL_LOFT_OPTIONS_INIT { 1, IL_CAP_FLAT, false, NULL, NULL }
 
-/* At most this many slices are held, with their pairs and slabs. */
+/* At most this many slices are held, with their pairs and slabs; beside them the
+ * last one, until it is known what joins it to the one before, and with domes the
+ * first of a run. */
 enum { IL_LOFT_WINDOW = 8 };
 
 /* A sink that lofts every stack into NEXT (borrowed); one without contours has no
- * surface, and is abandoned.  Slices come clean and in
- * rising z; a slice without a pair is matched by the identity.
+ * surface, and is abandoned.  Slices come clean and in rising z; a slice without
+ * a pair is matched by the identity.  At a gap (model/pair.h) each side is closed
+ * as the stack's ends are; a slice that is not empty and stands alone beside a
+ * gap is IL_E_INPUT.
  * IL_E_SURFACE names stack, slices and place when no attempt passes the
  * certificate: then NEXT was told to abandon the stack, and the caller may go
  * on with the next one by calling stack_begin. */

@@ -26,7 +26,7 @@ typedef struct il_ffd il_ffd;
 il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il_match_options *o,
                           il_ffd *solver, il_pair *out, il_error *err);
 
-/* A sink that adds the pair record where the stream brings none, and passes
+/* A sink that adds the pair record where the stream brings none, nor a gap, and passes
  * all on to NEXT (borrowed) on the caller's thread, a few slices late: see
  * stage.c.  It takes the slices and records it is given.  A pair that stands
  * anywhere but right after its upper slice is IL_E_INPUT.  After a failure

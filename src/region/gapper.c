@@ -180,18 +180,20 @@ static double half_thickness(const gapper *g, size_t k, double t)
     return half;
 }
 
-static void tell_thickness(gapper *g, size_t k, double t, bool guessed)
+/* Of N slices alone N_THIN, the first of them slice FIRST, are thinner than T. */
+static void tell_thickness(gapper *g, size_t n, size_t n_thin, size_t first, double t, bool guessed)
 {
-    double half = half_thickness(g, k, t);
     char z[IL_NUMBER_MAX], is[IL_NUMBER_MAX], wanted[IL_NUMBER_MAX];
-    il_number_format(z, g->level[k].z);
-    il_number_format_float(is, (float)(2 * half));
-    il_number_format_float(wanted, (float)t);
-    il_report_repair(g->report, IL_REPAIR_THICKENED_SLICE, 1);
-    if (half < t / 2)
-        il_report_note(g->report, "the single slice at z = %s is made %s thick and not %s, to keep clear of its neighbours", z, is, wanted);
-    else if (guessed)
+    il_report_repair(g->report, IL_REPAIR_THICKENED_SLICE, n);
+    if (n > 0 && guessed)
         il_report_note(g->report, "a thickness of 1 mm is assumed for the single slice (--thickness says otherwise)");
+    if (n_thin == 0)
+        return;
+    il_number_format(z, g->level[first].z);
+    il_number_format_float(is, (float)(2 * half_thickness(g, first, t)));
+    il_number_format_float(wanted, (float)t);
+    il_report_note(g->report, "%zu of %zu single slices are less than %s thick, to keep clear of their neighbours; "
+                   "the first, at z = %s, is %s", n_thin, n, wanted, z, is);
 }
 
 static il_status refuse_thickness(gapper *g, size_t k, double t, il_error *err)
@@ -211,13 +213,18 @@ static bool has_body(double z, double half)
 
 static il_status check_alone(gapper *g, double t, bool guessed, il_error *err)
 {
+    size_t n = 0, n_thin = 0, first = 0;
     for (size_t k = 0; k < g->n; k++) {
         if (!is_alone(g, k))
             continue;
-        if (!has_body(g->level[k].z, half_thickness(g, k, t)))
+        double half = half_thickness(g, k, t);
+        if (!has_body(g->level[k].z, half))
             return refuse_thickness(g, k, t, err);
-        tell_thickness(g, k, t, guessed);
+        n++;
+        if (half < t / 2 && n_thin++ == 0)
+            first = k;
     }
+    tell_thickness(g, n, n_thin, first, t, guessed);
     return IL_OK;
 }
 

@@ -62,21 +62,41 @@ static int compare_places(const void *p, const void *q)
     return a[1] < b[1] ? -1 : a[1] > b[1];
 }
 
-/* The places that stay, by rising x, then y. */
-static bool find_places(il_near *places, const il_slice *s)
+/* All vertices of S by rising x, then y: xy[2*n], to il_free; null without memory. */
+static double *sort_vertices(const il_slice *s, size_t *n)
 {
-    size_t n = 0;
     double *xy = il_alloc(il_slice_points(s), 2 * sizeof *xy);
-    bool ok = xy != NULL;
-    for (size_t i = 0; ok && i < s->n; n += s->ring[i].n, i++)
+    *n = 0;
+    for (size_t i = 0; xy && i < s->n; *n += s->ring[i].n, i++)
         if (s->ring[i].n > 0)
-            memcpy(xy + 2 * n, s->ring[i].xy, 2 * s->ring[i].n * sizeof *xy);
-    if (ok)
-        qsort(xy, n, 2 * sizeof *xy, compare_places);
+            memcpy(xy + 2 * *n, s->ring[i].xy, 2 * s->ring[i].n * sizeof *xy);
+    if (xy)
+        qsort(xy, *n, 2 * sizeof *xy, compare_places);
+    return xy;
+}
+
+/* Are the sorted points a cell apart, or equal?  False also where many have one x
+ * and this would take long.  Nearly all slices are so, and need no boxes: these
+ * took a third of the time of cleaning. */
+static bool are_apart(const double *xy, size_t n, double cell)
+{
+    size_t steps = 0, most = 8 * n;
+    for (size_t i = 0; i < n; i++) {
+        const double *p = xy + 2 * i;
+        for (size_t k = i + 1; k < n && xy[2 * k] - p[0] < cell; k++)
+            if (++steps > most || (fabs(xy[2 * k + 1] - p[1]) < cell && (xy[2 * k] != p[0] || xy[2 * k + 1] != p[1])))
+                return false;
+    }
+    return true;
+}
+
+/* The places that stay of the sorted points. */
+static bool find_places(il_near *places, const double *xy, size_t n)
+{
+    bool ok = true;
     for (size_t i = 0; ok && i < n; i++)
         if (il_near_find(places, xy[2 * i], xy[2 * i + 1]) == UINT32_MAX)
             ok = il_near_add(places, xy[2 * i], xy[2 * i + 1]);
-    il_free(xy);
     return ok;
 }
 
@@ -110,13 +130,17 @@ static size_t count_joined(const il_ring *r, const bool *moved)
 il_status il_slice_gather(il_slice *s, double cell, size_t *n_moved, size_t *n_joined, il_error *err)
 {
     il_near places = { .cell = cell };
-    bool *moved = il_alloc(il_slice_points(s), sizeof *moved);
-    bool ok = moved && find_places(&places, s);
+    size_t n = 0;
+    double *xy = sort_vertices(s, &n);
+    bool *moved = il_alloc(il_slice_points(s), sizeof *moved), ok = xy && moved;
+    bool is_done = ok && are_apart(xy, n, cell);
+    ok = ok && (is_done || find_places(&places, xy, n));
     *n_moved = *n_joined = 0;
-    for (size_t i = 0; ok && i < s->n; i++) {
+    for (size_t i = 0; ok && !is_done && i < s->n; i++) {
         *n_moved += move_ring(&s->ring[i], &places, moved);
         *n_joined += count_joined(&s->ring[i], moved);
     }
+    il_free(xy);
     il_free(moved);
     il_near_free(&places);
     return ok ? IL_OK : il_fail_nomem(err);

@@ -52,7 +52,21 @@ static il_status build_and_judge(il_outcome *out, const il_task *task, const il_
     return st;
 }
 
-/* Lower caps until they cross nothing; other flaws do not depend on them. */
+/* Over R as snapped, lower caps until they cross nothing; other flaws do not
+ * depend on them. */
+static il_status try_snapped(il_outcome *out, const il_task *task, const il_reference *r, const il_snapped *snapped,
+                             bool injective, il_error *err)
+{
+    il_status st = IL_OK;
+    out->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
+    for (double rise = 0.5; injective && st == IL_OK && rise > 0.05; rise /= 2) {
+        st = build_and_judge(out, task, r, snapped, rise, err);
+        if (out->verdict.flaw != IL_FLAW_CROSSING || out->surface.n_inner == 0)
+            break; /* without inner points there is no cap */
+    }
+    return st;
+}
+
 static il_status try_grid(il_outcome *out, const il_task *task, const il_reference *r, int exponent, il_error *err)
 {
     il_snapped snapped;
@@ -60,14 +74,7 @@ static il_status try_grid(il_outcome *out, const il_task *task, const il_referen
     il_status st = il_snap(&snapped, r, exponent, &injective, err);
     if (st != IL_OK)
         return st;
-    out->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
-    if (injective) {
-        for (double rise = 0.5; st == IL_OK && rise > 0.05; rise /= 2) {
-            st = build_and_judge(out, task, r, &snapped, rise, err);
-            if (out->verdict.flaw != IL_FLAW_CROSSING || out->surface.n_inner == 0)
-                break; /* without inner points there is no cap */
-        }
-    }
+    st = try_snapped(out, task, r, &snapped, injective, err);
     il_snapped_free(&snapped);
     return st;
 }
@@ -103,14 +110,22 @@ static il_status attempt_identity(il_outcome *out, const il_task *task, il_error
     return st;
 }
 
+/* A reference on its first grid, where it is known already. */
+typedef struct first_grid {
+    il_snapped snapped;
+    bool known, injective;
+} first_grid;
+
 /* Attempts S and P, over reference R.  Finer grids help where vertices fell on
  * one point, a coarser one where triangles cross by a hair; what is wrong with
  * phi, no grid puts right. */
-static il_status try_grids(il_outcome *out, const il_task *task, const il_reference *r, int first, il_error *err)
+static il_status try_grids(il_outcome *out, const il_task *task, const il_reference *r, int first, const first_grid *on,
+                           il_error *err)
 {
     enum { FINER = 2, STEP = 4 };
     int last = il_snap_last_exponent(r);
-    il_status st = try_grid(out, task, r, first, err);
+    il_status st = on->known ? try_snapped(out, task, r, &on->snapped, on->injective, err)
+                             : try_grid(out, task, r, first, err);
     if (st == IL_OK && out->verdict.flaw == IL_FLAW_CROSSING)
         st = try_grid(out, task, r, first + STEP, err);
     for (int k = 1; st == IL_OK && k <= FINER && out->verdict.flaw == IL_FLAW_REFERENCE && first - k * STEP >= last; k++)
@@ -123,42 +138,42 @@ static il_status try_grids(il_outcome *out, const il_task *task, const il_refere
     return IL_OK;
 }
 
-/* Cut the seams at the folds of R as snapped: an arc laid on the other may be in
- * the way of what is next to it.  *CUT: was there anything to cut? */
-static il_status cut_folds(const il_reference *r, int exponent, il_seam *seam, size_t n, bool *cut, il_error *err)
+/* Cut the seams at the folds of the reference as snapped: an arc laid on the other
+ * may be in the way of what is next to it.  Was there anything to cut? */
+static bool cut_folds(const il_reference *r, const il_snapped *snapped, il_seam *seam, size_t n)
 {
-    il_snapped snapped;
-    bool injective;
-    *cut = false;
-    il_status st = il_snap(&snapped, r, exponent, &injective, err);
-    if (st == IL_E_INPUT)
-        return IL_OK;
-    for (size_t i = 0; st == IL_OK && !injective && i < 2 * snapped.n_folds; i++) {
-        const il_ref_side *side = &r->side[IL_UPPER];
-        const il_ref_vertex *v = &side->vertex[snapped.fold[i]], *end = &side->vertex[side->next[snapped.fold[i]]];
+    const il_ref_side *side = &r->side[IL_UPPER];
+    bool cut = false;
+    for (size_t i = 0; i < 2 * snapped->n_folds; i++) {
+        const il_ref_vertex *v = &side->vertex[snapped->fold[i]], *end = &side->vertex[side->next[snapped->fold[i]]];
         if (v->matched)
-            *cut |= il_seams_cut(seam, n, v->station, v->t);
+            cut |= il_seams_cut(seam, n, v->station, v->t);
         else if (il_seams_cut_end(seam, n, v->station, v->t) || il_seams_cut_end(seam, n, end->station, end->t))
-            *cut = true;
+            cut = true;
     }
-    if (st == IL_OK)
-        il_snapped_free(&snapped);
-    return st;
+    return cut;
 }
 
-/* R with the seams SEAM[N], cut until they are in nothing's way. */
-static il_status lay_seams(il_reference *r, const il_task *task, il_seam *seam, size_t n, double near, int exponent, il_error *err)
+/* R with the seams SEAM[N], cut until they are in nothing's way, and in ON as it
+ * is on its first grid then. */
+static il_status lay_seams(il_reference *r, const il_task *task, il_seam *seam, size_t n, double near, int exponent,
+                           first_grid *on, il_error *err)
 {
     enum { ROUNDS = 16 };
-    bool cut = n > 0;
     il_status st = il_reference_deform(r, task->lower, task->upper, task->phi, seam, n, near, err);
-    for (int round = 0; st == IL_OK && cut && round < ROUNDS; round++) {
-        st = cut_folds(r, exponent, seam, n, &cut, err);
-        if (st == IL_OK && !cut)
+    for (int round = 0; st == IL_OK && n > 0 && round < ROUNDS; round++) {
+        st = il_snap(&on->snapped, r, exponent, &on->injective, err);
+        if (st == IL_E_INPUT) { /* too many crossings to tell */
+            *err = (il_error)IL_ERROR_INIT;
+            return IL_OK;
+        }
+        on->known = st == IL_OK;
+        if (st != IL_OK || on->injective || !cut_folds(r, &on->snapped, seam, n))
             break;
+        il_snapped_free(&on->snapped);
+        on->known = false;
         il_reference_free(r);
-        if (st == IL_OK)
-            st = il_reference_deform(r, task->lower, task->upper, task->phi, seam, n, near, err);
+        st = il_reference_deform(r, task->lower, task->upper, task->phi, seam, n, near, err);
     }
     return st;
 }
@@ -180,6 +195,7 @@ static il_status attempt_deformed(il_outcome *out, const il_task *task, il_attem
 {
     static const double NEAR = 8; /* cells */
     il_reference r = { 0 };
+    first_grid on = { .known = false };
     il_seam *seam = NULL;
     size_t n = 0;
     int first;
@@ -191,15 +207,17 @@ static il_status attempt_deformed(il_outcome *out, const il_task *task, il_attem
         st = il_seams_lay(&seam, &n, task->lower, task->upper, task->phi, task->match, task->n_matches, near, err);
     double matched = il_seams_length(seam, n);
     if (st == IL_OK)
-        st = lay_seams(&r, task, seam, n, near, first, err);
+        st = lay_seams(&r, task, seam, n, near, first, &on, err);
     r.outside = task->outside;
     r.fit = task->fit;
     out->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
     if (st == IL_OK && (attempt == IL_ATTEMPT_P || il_seams_length(seam, n) > 0))
-        st = try_grids(out, task, &r, first, err);
+        st = try_grids(out, task, &r, first, &on, err);
     out->attempt = attempt;
     if (attempt == IL_ATTEMPT_S && out->surface.walled < 0.9 * matched)
         out->attempt = IL_ATTEMPT_P;
+    if (on.known)
+        il_snapped_free(&on.snapped);
     il_reference_free(&r);
     il_seams_free(seam, n);
     return st;

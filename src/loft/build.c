@@ -6,8 +6,7 @@
 
 il_status il_build_surface(il_surface *out, il_overlay *o, const il_build_options *options, il_error *err)
 {
-    il_builder b = { o, { o->reference->section[0], o->reference->section[1] }, *options, out, { NULL, NULL }, NULL };
-    il_inverse inverse = { 0 };
+    il_builder b = { o, { o->reference->section[0], o->reference->section[1] }, *options, out, { NULL, NULL } };
     il_status st = IL_OK;
     for (int k = 0; k < 2; k++) {
         b.inserted[k] = il_alloc(o->n_contour, sizeof *b.inserted[k]);
@@ -16,15 +15,10 @@ il_status il_build_surface(il_surface *out, il_overlay *o, const il_build_option
         else
             memset(b.inserted[k], 0xFF, o->n_contour * sizeof *b.inserted[k]);
     }
-    if (st == IL_OK && o->reference->deformed) {
-        st = il_inverse_build(&inverse, o, err);
-        b.inverse = &inverse;
-    }
     if (st == IL_OK)
         st = il_build_sheets(&b, err);
     if (st == IL_OK)
         st = il_build_walls(&b, err);
-    il_inverse_free(&inverse);
     il_free(b.inserted[0]);
     il_free(b.inserted[1]);
     if (st != IL_OK)

@@ -2,7 +2,7 @@
 #ifndef IL_LOFT_BUILDER_H
 #define IL_LOFT_BUILDER_H
 
-#include "loft/inverse.h"
+#include "loft/overlay.h"
 #include "loft/surface.h"
 
 /* rise: height of caps as a part of the slab (axis.h).  round_float: positions
@@ -20,7 +20,6 @@ typedef struct il_builder {
     il_build_options options;
     il_surface *out;
     uint32_t *inserted[2];
-    il_inverse *inverse;      /* null: phi is the identity */
 } il_builder;
 
 /* The code of contour point P's copy in plane SIDE: its node, or an insertion

@@ -6,6 +6,7 @@
 #include "config.h"
 #include "loft/axis.h"
 #include "loft/builder.h"
+#include "loft/inverse.h"
 #include "loft/polygon.h"
 #include "base/alloc.h"
 #include "base/number.h"
@@ -128,15 +129,15 @@ static bool add_centres(sheets *s)
 }
 
 /* Where free point F lies in space: psi_z(p) = (1 - z) p + z phi^-1(p). */
-static void lift(const sheets *s, const il_free_point *f, double xyz[3])
+static void lift(const sheets *s, il_inverse *inverse, const il_free_point *f, double xyz[3])
 {
     const il_snapped *grid = s->b->o->snapped;
     const double at[2] = { f->x, f->y };
     double shift[2];
     for (int k = 0; k < 2; k++)
         xyz[k] = grid->origin[k] + grid->cell * at[k];
-    if (s->b->inverse) {
-        il_inverse_shift(s->b->inverse, at, shift);
+    if (s->b->o->reference->deformed) {
+        il_inverse_shift(inverse, at, shift);
         xyz[0] += f->z * shift[0];
         xyz[1] += f->z * shift[1];
     }
@@ -145,17 +146,25 @@ static void lift(const sheets *s, const il_free_point *f, double xyz[3])
     xyz[2] = il_builder_height(s->b, f->z);
 }
 
-static bool lift_free_points(sheets *s)
+/* Most slabs have none: the inverse is built for those that do. */
+static il_status lift_free_points(sheets *s, il_error *err)
 {
-    s->code = il_alloc(s->n_free, sizeof *s->code);
-    for (size_t i = 0; s->code && i < s->n_free; i++) {
+    il_inverse inverse = { 0 };
+    il_status st = IL_OK;
+    if (s->n_free > 0 && s->b->o->reference->deformed)
+        st = il_inverse_build(&inverse, s->b->o, err);
+    s->code = st == IL_OK ? il_alloc(s->n_free, sizeof *s->code) : NULL;
+    if (st == IL_OK && !s->code)
+        st = il_fail_nomem(err);
+    for (size_t i = 0; st == IL_OK && i < s->n_free; i++) {
         double xyz[3];
-        lift(s, &s->free[i], xyz);
+        lift(s, &inverse, &s->free[i], xyz);
         s->code[i] = il_surface_add_inner(s->b->out, xyz);
         if (s->code[i] == UINT32_MAX)
-            return false;
+            st = il_fail_nomem(err);
     }
-    return s->code != NULL;
+    il_inverse_free(&inverse);
+    return st;
 }
 
 static uint32_t code_of(const sheets *s, const il_polygon_vertex *v)
@@ -215,8 +224,8 @@ il_status il_build_sheets(il_builder *b, il_error *err)
         st = il_fail_nomem(err);
     if (st == IL_OK)
         st = il_heights_set(&s.heights, s.free, s.n_free, b->options.rise, err);
-    if (st == IL_OK && !lift_free_points(&s))
-        st = il_fail_nomem(err);
+    if (st == IL_OK)
+        st = lift_free_points(&s, err);
     for (uint32_t t = 0; st == IL_OK && t < b->o->n_triangles; t++)
         if (il_overlay_is_sheet(b->o, t) && !emit_triangle(&s, t))
             st = il_fail_nomem(err);

@@ -40,10 +40,10 @@ typedef struct parser {
 
 static kind kind_of(const char *name)
 {
-    static const struct { const char *name; kind kind; } names[] = {
-        { "NativeDicomModel", KIND_DATASET }, { "data-set", KIND_DATASET }, { "DicomAttribute", KIND_ATTRIBUTE },
-        { "element", KIND_ELEMENT }, { "sequence", KIND_SEQUENCE }, { "Item", KIND_ITEM }, { "item", KIND_ITEM },
-        { "Value", KIND_VALUE }, { "BulkData", KIND_BINARY }, { "InlineBinary", KIND_BINARY }, { "meta-header", KIND_HEADER } };
+    static const struct { const char *name; kind kind; } names[] = { /* the commonest first */
+        { "Value", KIND_VALUE }, { "DicomAttribute", KIND_ATTRIBUTE }, { "element", KIND_ELEMENT }, { "Item", KIND_ITEM },
+        { "item", KIND_ITEM }, { "sequence", KIND_SEQUENCE }, { "NativeDicomModel", KIND_DATASET }, { "data-set", KIND_DATASET },
+        { "BulkData", KIND_BINARY }, { "InlineBinary", KIND_BINARY }, { "meta-header", KIND_HEADER } };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(names[i].name, name) == 0)
             return names[i].kind;

@@ -192,7 +192,9 @@ static const markup markups[] = {
 
 static const markup *markup_at(const char *s, size_t n)
 {
-    const markup *m = markups;
+    const markup *m = markups, *tag = markups + sizeof markups / sizeof *markups - 1;
+    if (n > 1 && s[1] != '!' && s[1] != '?') /* nearly all */
+        return tag;
     while (!starts(s, n, m->begin))
         m++;
     return m;

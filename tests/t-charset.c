@@ -3,8 +3,10 @@
 #include "config.h"
 #include "base/alloc.h"
 #include "input/charset.h"
+#include "input/reader.h"
 #include "test.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -208,6 +210,52 @@ static void an_unknown_set_is_told_and_the_text_is_kept(void **state)
     }
 }
 
+/* ---- structure sets --------------------------------------------------------------------- */
+
+static il_status pass_stack(il_sink *self, const il_stack_head *head, il_error *err)
+{
+    (void)self, (void)head, (void)err;
+    return IL_OK;
+}
+
+static il_status pass(il_sink *self, il_error *err)
+{
+    (void)self, (void)err;
+    return IL_OK;
+}
+
+/* Two empty ROIs called A and B in the set KOI8-R, and the notes about that. */
+static size_t notes_of_names(const char *a, const char *b)
+{
+    il_sink sink = { .stack_begin = pass_stack, .stack_end = pass, .end = pass };
+    const il_read_options o = IL_READ_OPTIONS_INIT;
+    il_report report = IL_REPORT_INIT;
+    il_error err = IL_ERROR_INIT;
+    il_source *source = NULL;
+    char text[1000];
+    size_t notes = 0;
+    int n = snprintf(text, sizeof text,
+        "(0008,0005) CS [KOI8-R] # 6, 1 a\n(3006,0020) SQ (Sequence) # 0, 1 a\n"
+        "(fffe,e000) na (Item) # 0, 1 a\n(3006,0022) IS [1] # 2, 1 a\n(3006,0026) LO [%s] # 2, 1 a\n(fffe,e00d) na (End) # 0, 1 a\n"
+        "(fffe,e000) na (Item) # 0, 1 a\n(3006,0022) IS [2] # 2, 1 a\n(3006,0026) LO [%s] # 2, 1 a\n(fffe,e00d) na (End) # 0, 1 a\n"
+        "(fffe,e0dd) na (End) # 0, 0 a\n(3006,0039) SQ (Sequence) # 0, 1 a\n(fffe,e0dd) na (End) # 0, 0 a\n", a, b);
+    assert_int_equal(il_source_from_memory(&source, text, (size_t)n, "dump", &err), IL_OK);
+    assert_int_equal(il_reader_dcmdump.read(&source, 1, &o, &sink, &report, &err), IL_OK);
+    for (size_t i = 0; i < report.n_notes; i++)
+        notes += strstr(report.note[i], "KOI8-R") != NULL;
+    il_source_close(source);
+    il_report_free(&report);
+    return notes;
+}
+
+static void an_unknown_set_is_told_once_and_only_where_it_matters(void **state)
+{
+    (void)state;
+    assert_int_equal(notes_of_names("A", "B"), 0);
+    assert_int_equal(notes_of_names("A", "\xE4"), 1);
+    assert_int_equal(notes_of_names("\xE4", "\xE5"), 1);
+}
+
 static void any_failing_allocation_is_told(void **state)
 {
     il_status st = IL_E_NOMEM;
@@ -253,6 +301,7 @@ int main(void)
         cmocka_unit_test(other_escapes_are_left_as_they_are),
         cmocka_unit_test(names_are_known_by_what_identifies_them),
         cmocka_unit_test(an_unknown_set_is_told_and_the_text_is_kept),
+        cmocka_unit_test(an_unknown_set_is_told_once_and_only_where_it_matters),
         cmocka_unit_test(any_failing_allocation_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -34,7 +34,7 @@ no_c1() { ! LC_ALL=C grep -q "$(printf '\302[\200-\237]')" "$1"; }
 for format in stl stl-ascii obj ply ply-ascii loft; do
     exits 0 "$format in a folder" "$ISOLOFT" names.txt again.txt -o inside/$format/ -t $format -v
     holds "says nothing that a terminal obeys" sh -c '! LC_ALL=C tr -d "\n" <err | LC_ALL=C grep -q "[[:cntrl:]]"'
-    ls -A inside/$format | grep -v 'mtl$' >names
+    find inside/$format -type f ! -name '*.mtl' -exec basename {} \; >names
     holds "writes a file for each, and the index" test "$(wc -l <names)" -eq $((last + 3))
     holds "under names that are safe" sh -c '! grep -v -x -e index.json -e "[0-9]\{4\}\(-[A-Za-z0-9_-]*\)\?\.[a-z]*" names'
     for file in inside/$format/0*; do

@@ -1,8 +1,11 @@
 /* t-account.c - stacks that fail, and those that go on: the taps of the account. */
 #include "config.h"
 #include "cli/account.h"
+#include "cli/nowhere.h"
+#include "cli/oddities.h"
 #include "test.h"
 
+#include <math.h>
 #include <string.h>
 
 /* Stands for the lofter and the writer: a stack named "bad" has no surface. */
@@ -237,6 +240,116 @@ static void spacing_and_gaps_are_measured(void **state)
     il_account_free(&a);
 }
 
+/* ---- what is told of a stack --------------------------------------------------- */
+
+static void take_square(il_account *a, double z, double side)
+{
+    il_sink *first = &a->contours;
+    il_slice slice = IL_SLICE_INIT;
+    slice.z = z;
+    il_ring *r = il_slice_add_ring(&slice);
+    assert_true(il_ring_add(r, 0, 0, 0) && il_ring_add(r, side, 0, 0) && il_ring_add(r, side, side, 0) && il_ring_add(r, 0, side, 0));
+    assert_int_equal(first->slice(first, &slice, NULL), IL_OK);
+    il_slice_free(&slice);
+}
+
+/* Squares of 2, 4, 4 and 2 at 0, 1, 2 and 9; GAP: the last two are left apart. */
+static void take_squares(il_account *a, const il_stack_head *head, bool gap)
+{
+    il_sink *first = &a->contours;
+    static const double squares[][2] = { { 0, 2 }, { 1, 4 }, { 2, 4 }, { 9, 2 } };
+    assert_int_equal(first->stack_begin(first, head, NULL), IL_OK);
+    for (size_t k = 0; k < 4; k++) {
+        il_pair pair = IL_PAIR_INIT;
+        pair.gap = gap && k == 3;
+        take_square(a, squares[k][0], squares[k][1]);
+        if (k > 0)
+            assert_int_equal(first->pair(first, &pair, NULL), IL_OK);
+    }
+    assert_int_equal(first->stack_end(first, NULL), IL_OK);
+}
+
+static void areas_add_up_to_two_volumes(void **state)
+{
+    (void)state;
+    il_voice voice = { .quiet = true };
+    il_account_options o = { .voice = &voice };
+    il_sink nowhere = il_nowhere_contours();
+    il_stack_head head = IL_STACK_HEAD_INIT;
+    for (int gap = 0; gap < 2; gap++) {
+        il_account a;
+        il_account_init(&a, &o);
+        il_account_contours(&a, &nowhere);
+        take_squares(&a, &head, gap);
+        const il_stack_account *s = &a.stack[0];
+        assert_true(il_stack_account_slice_sum(s) == 40 * 1);
+        assert_true(il_sections_trapezoids(&s->sections) == 10 + 16 + (gap ? 0 : 70));
+        assert_true(s->seconds >= 0 && a.began == 0);
+        il_account_free(&a);
+    }
+}
+
+static void a_single_slice_is_as_thick_as_its_set_is_spaced(void **state)
+{
+    (void)state;
+    il_voice voice = { .quiet = true };
+    il_account_options o = { .voice = &voice };
+    il_sink nowhere = il_nowhere_contours();
+    for (int known = 0; known < 2; known++) {
+        il_account a;
+        il_stack_head head = IL_STACK_HEAD_INIT;
+        head.usual_spacing = known ? 3 : 0;
+        il_account_init(&a, &o);
+        il_sink *first = il_account_contours(&a, &nowhere);
+        assert_int_equal(first->stack_begin(first, &head, NULL), IL_OK);
+        take_square(&a, 5, 2);
+        assert_int_equal(first->stack_end(first, NULL), IL_OK);
+        assert_true(known ? il_stack_account_slice_sum(&a.stack[0]) == 12 : isnan(il_stack_account_slice_sum(&a.stack[0])));
+        il_account_free(&a);
+    }
+}
+
+static void join_words(void *self, const char *words)
+{
+    char *all = self;
+    assert_true(strlen(all) + strlen(words) + 2 < 400);
+    strcat(strcat(all, words), ";");
+}
+
+static void the_head_and_the_oddities_are_kept(void **state)
+{
+    (void)state;
+    static const double across_x[12] = { 0, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0 };
+    char words[400] = "";
+    il_voice voice = { .quiet = true };
+    il_account_options o = { .voice = &voice };
+    il_sink nowhere = il_nowhere_contours();
+    il_stack_head head = IL_STACK_HEAD_INIT;
+    il_account a;
+    assert_true(il_stack_head_add_attribute(&head, "RTROIInterpretedType", "ORGAN"));
+    assert_true(il_stack_head_add_attribute(&head, "ROIGenerationAlgorithm", "MANUAL"));
+    assert_true(il_stack_head_add_attribute(&head, "FrameOfReferenceUID", "1.2.3"));
+    head.has_frame = true;
+    head.usual_spacing = 2;
+    memcpy(head.frame, across_x, sizeof across_x);
+    il_account_init(&a, &o);
+    il_account_contours(&a, &nowhere);
+    il_report_repair(&a.report, IL_REPAIR_CROSSING, 1);
+    il_report_repair(&a.report, IL_REPAIR_REVERSED_RING, 9);
+    il_report_repair(&a.report, IL_REPAIR_KEYHOLE, 2);
+    il_report_skip(&a.report, "f", 1, "contour", "open");
+    take_squares(&a, &head, true);
+    const il_stack_account *s = &a.stack[0];
+    assert_string_equal(s->type, "ORGAN");
+    assert_string_equal(s->algorithm, "MANUAL");
+    assert_string_equal(s->frame_uid, "1.2.3");
+    assert_string_equal(s->planes, "across x");
+    il_oddities_each(s, join_words, words);
+    assert_string_equal(words, "1 part skipped;planes across x;1 gap;spacing unlike the others';1 crossing;2 keyholes;");
+    il_stack_head_free(&head);
+    il_account_free(&a);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -246,6 +359,9 @@ int main(void)
         cmocka_unit_test(strict_gives_up_what_was_repaired),
         cmocka_unit_test(an_empty_stack_is_left_out),
         cmocka_unit_test(spacing_and_gaps_are_measured),
+        cmocka_unit_test(areas_add_up_to_two_volumes),
+        cmocka_unit_test(a_single_slice_is_as_thick_as_its_set_is_spaced),
+        cmocka_unit_test(the_head_and_the_oddities_are_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

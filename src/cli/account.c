@@ -51,7 +51,7 @@ static il_status open_record(il_account *a, const il_stack_head *head, il_error 
     const char *name = il_stack_head_name(head);
     il_stack_account s = { .has_number = head->has_number, .has_color = head->has_color, .number = head->number,
                            .unit = head->unit, .set_spacing = head->usual_spacing, .planes = words_of_planes(head),
-                           .began = il_clock_seconds(), .box = { INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY },
+                           .box = { INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY },
                            .report = IL_REPORT_INIT };
     memcpy(s.color, head->color, sizeof s.color);
     s.name = il_strndup(name, strlen(name));
@@ -63,6 +63,7 @@ static il_status open_record(il_account *a, const il_stack_head *head, il_error 
         return il_fail_nomem(err);
     }
     a->stack[a->n++] = s;
+    a->began = a->began > 0 ? a->began : il_clock_seconds();
     a->in_stack = true;
     a->skipping = false;
     a->inserted_slices = a->inserted_rings = a->inserted_points = 0;
@@ -145,7 +146,8 @@ static il_status close_record(il_account *a, il_error *err)
     il_stack_account *s = current(a);
     a->in_stack = a->skipping = false;
     merge_rounding(&a->report, &a->rounding);
-    s->seconds = il_clock_seconds() - s->began;
+    s->seconds = il_clock_seconds() - a->began;
+    a->began = 0;
     s->report = a->report;
     a->report = (il_report)IL_REPORT_INIT;
     const char *file = s->status == IL_OK && a->options.file_of ? a->options.file_of(a->options.file_of_self) : NULL;

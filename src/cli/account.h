@@ -26,9 +26,8 @@ typedef struct il_gap {
  * are no others.
  * set_spacing: usual in the set that the stack came from, 0 unknown.  type,
  * algorithm, frame_uid: of an ROI, or null.  planes: where slices lie otherwise
- * than across z, in words, or null.  seconds: from the stack's arrival at the
- * tap to its end there; what other threads do for it at the time is in it, what
- * they did before is not.
+ * than across z, in words, or null.  seconds: from when the
+ * reader hands over the stack's beginning until its surface is done, wall-clock.
  * has_mesh: facts were given, so the surface is certified.  file: what it was
  * written to in a folder, or null.  error: one line, null unless it failed. */
 typedef struct il_stack_account {
@@ -43,7 +42,7 @@ typedef struct il_stack_account {
     il_spacing spacing;
     double set_spacing;
     il_sections sections;
-    double began, seconds;
+    double seconds;
     il_gap *gap;        size_t n_gaps, cap_gaps;
     il_report report;
     il_mesh_facts facts;
@@ -68,6 +67,7 @@ typedef struct il_account_options {
  * is clean already.  slicing, inserted_...: of the current stack, and how much of
  * its slices isoloft put there (il_slice_is_inserted).  skipping: it has failed,
  * and what still comes of it is dropped.
+ * began: when the current stack did, for a stopwatch to set (0: at the tap).
  * worst: the highest code of any stack. */
 typedef struct il_account {
     il_sink contours;
@@ -80,6 +80,7 @@ typedef struct il_account {
     il_slicing slicing;
     size_t inserted_slices, inserted_rings, inserted_points;
     bool in_stack, in_mesh, skipping;
+    double began;
     size_t n_triangles;
     il_status worst;
 } il_account;

@@ -15,6 +15,7 @@ static const char *const repair_words[IL_N_REPAIRS][2] = {
     [IL_REPAIR_DEGENERATE_RING] = { "degenerate ring", "degenerate rings" },
     [IL_REPAIR_CROSSING]        = { "crossing", "crossings" },
     [IL_REPAIR_TOUCH]           = { "touch", "touches" },
+    [IL_REPAIR_KEYHOLE]         = { "keyhole", "keyholes" },
     [IL_REPAIR_KEYHOLE_EDGE]    = { "cancelled edge", "cancelled edges" },
     [IL_REPAIR_PINCH]           = { "pinch", "pinches" },
     [IL_REPAIR_REORDERED_SLICE] = { "reordered slice", "reordered slices" },

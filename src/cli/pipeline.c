@@ -7,6 +7,7 @@
 #include "cli/nowhere.h"
 #include "cli/progress.h"
 #include "cli/select.h"
+#include "cli/stopwatch.h"
 #include "match/matcher.h"
 #include "match/refit.h"
 #include "model/ras.h"
@@ -32,6 +33,7 @@ typedef struct pipeline {
     il_refit *refit;
     il_sink nowhere;
     il_mesh_sink nowhere_mesh;
+    il_stopwatch stopwatch;
 } pipeline;
 
 /* ---- input --------------------------------------------------------------- */
@@ -240,6 +242,7 @@ static il_status build_stages(pipeline *p, il_error *err)
     p->first = il_account_contours(p->account, end);
     for (size_t k = 0; k < sizeof builders / sizeof *builders && st == IL_OK; k++)
         st = builders[k](p, err);
+    p->first = il_stopwatch_init(&p->stopwatch, p->first, &p->account->began);
     return st;
 }
 

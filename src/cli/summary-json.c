@@ -155,7 +155,7 @@ static void put_sums(il_json *j, const il_stack_account *s)
 {
     put_number(j, "slice_sum", il_stack_account_slice_sum(s));
     il_json_key(j, "trapezoid_sum");
-    s->slices > 1 || s->points == 0 ? il_json_number(j, il_sections_trapezoids(&s->sections)) : il_json_null(j);
+    s->sections.n > 1 || s->points == 0 ? il_json_number(j, il_sections_trapezoids(&s->sections)) : il_json_null(j);
     put_number(j, "seconds", s->seconds);
 }
 

@@ -146,7 +146,7 @@ static void sum_rows(il_output *out, const il_stack_account *s)
     if (s->points == 0)
         return;
     volume_row(out, "slice sum", il_stack_account_slice_sum(s), s->unit, ", areas x usual spacing");
-    if (s->slices > 1)
+    if (s->sections.n > 1)
         volume_row(out, "trapezoids", il_sections_trapezoids(&s->sections), s->unit, ", between neighbouring slices");
 }
 

@@ -151,14 +151,30 @@ static void find_flat(settling *s)
     }
 }
 
+/* Where more than this many things are wrong no other places help, and looking
+ * for all pairs would take a time quadratic in what lies on one heap. */
+static size_t few(const settling *s)
+{
+    return s->n_vertices / 8 + 64;
+}
+
+static il_status fail_close(il_error *err)
+{
+    return il_fail(err, IL_E_SURFACE, 0, "its surface comes too close to itself for coordinates rounded behind a turn");
+}
+
 static il_status find_crossing(settling *s, il_error *err)
 {
     uint32_t *pair = NULL, first[2];
     size_t n = 0;
-    /* Hardly ever does anything cross: counting up to one is quicker than listing. */
-    il_status st = il_intersections(s->to, s->n_vertices, s->tri, s->n_triangles, NULL, 1, &n, first, err);
+    /* Hardly ever does anything cross, and counting a few is quicker than listing all. */
+    il_status st = il_intersections(s->to, s->n_vertices, s->tri, s->n_triangles, NULL, few(s), &n, first, err);
     if (st != IL_OK || n == 0)
         return st;
+    if (n >= few(s)) {
+        mark_triangle(s, first[0]);
+        return fail_close(err);
+    }
     for (size_t t = 0; t < s->n_triangles; t++)
         s->group[t] = (uint32_t)t;
     st = il_intersections_between(s->to, s->n_vertices, s->tri, s->n_triangles, s->group, &pair, &n, err);
@@ -221,7 +237,7 @@ static il_status find_bad(settling *s, il_error *err)
     find_merged(s);
     find_flat(s);
     find_inverted(s);
-    return find_crossing(s, err);
+    return s->n_bad > few(s) ? fail_close(err) : find_crossing(s, err);
 }
 
 /* ---- other places ------------------------------------------------------------------ */
@@ -260,20 +276,27 @@ static il_status check_size(const settling *s, size_t *place, il_error *err)
     return IL_OK;
 }
 
+/* The least vertex at the first place that is bad. */
+static size_t bad_vertex(const settling *s)
+{
+    size_t v = 0;
+    while (s->n_bad > 0 && s->rank[v] != s->first_bad)
+        v++;
+    return v;
+}
+
 static il_status settle(settling *s, size_t *place, il_error *err)
 {
     il_status st = IL_OK;
     for (size_t round = 0; round < ROUNDS && st == IL_OK; round++) {
         put_positions(s);
         st = find_bad(s, err);
-        if (st == IL_OK && s->n_bad == 0)
-            return IL_OK;
-        *place = 0;
-        while (st == IL_OK && s->rank[*place] != s->first_bad)
-            ++*place;
+        *place = bad_vertex(s);
+        if (s->n_bad == 0)
+            return st;
         move_bad(s, round);
     }
-    return st != IL_OK ? st : il_fail(err, IL_E_SURFACE, 0, "its surface comes too close to itself for coordinates rounded behind a turn");
+    return st == IL_OK ? fail_close(err) : st;
 }
 
 il_status il_mesh_settle(const double *xyz, double *to, size_t n_vertices, const uint32_t *tri, size_t n_triangles,

@@ -9,7 +9,8 @@ for form in $forms; do
     holds "phantom.$form is what phantom.awk makes" cmp made "$phantom.$form"
     holds "and small" test "$(wc -c <made)" -lt 150000
     for format in ply stl; do "$ISOLOFT" -q "$phantom.$form" -o "$form.$format/" -t $format; done
-    "$ISOLOFT" -q "$phantom.$form" -o "$form.obj"
+    mkdir $form.obj
+    "$ISOLOFT" -q "$phantom.$form" -o $form.obj/all.obj
     "$ISOLOFT" read -q "$phantom.$form" >"$form.loft"
     "$ISOLOFT" --list "$phantom.$form" >"$form.list"
 done
@@ -17,7 +18,7 @@ for form in json xml; do
     for format in ply stl; do
         holds "$form gives the dump's bytes, a file a region, as $format" diff -r dcmdump.txt.$format $form.$format
     done
-    holds "and in one file, as OBJ" cmp dcmdump.txt.obj $form.obj
+    holds "and in one file, as OBJ" diff -r dcmdump.txt.obj $form.obj
     holds "and as contours" cmp dcmdump.txt.loft $form.loft
     holds "and the same list" cmp dcmdump.txt.list $form.list
 done

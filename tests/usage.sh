@@ -88,16 +88,17 @@ fi
 
 # ---- the manual's examples, as they stand there --------------------------------
 
-cp "$srcdir/examples/vase.svg" "$srcdir/examples/vase.loft" .
+cp "$srcdir"/examples/vase.svg "$srcdir"/examples/vase.loft "$srcdir"/examples/phantom.* .
 mkdir bin && ln -s "$ISOLOFT" bin/isoloft
 awk '/^\.Sh EXAMPLES/ { on = 1 } /^\.Sh SEE ALSO/ { on = 0 }
      on && /^\.Bd/ { k++; inside = 1; next } /^\.Ed/ { inside = 0 }
      on && inside { gsub(/\\e/, "\\"); print >("example" k) }' "$srcdir/man/isoloft.1"
-for example in example?; do
+for example in example? example??; do
     exits 0 "the manual's example runs: $(head -n 1 "$example" | cut -c 1-50)" \
         env PATH="$PWD/bin:$PATH" sh -e "./$example"
 done
-for file in vase.stl vase.ply vase.obj pairs.loft parts/0001-vase.ply parts/index.json account.json cone.stl pieces.stl plate.stl slices.svg pair.svg; do
+for file in vase.stl vase.ply vase.obj pairs.loft parts/0001-vase.ply parts/index.json account.json organs/0003-Tube.ply vessel.obj cone.stl pieces.stl plate.stl \
+    slices.svg pair.svg; do
     holds "and leaves $file" test -s $file
 done
 holds "the README's pipe runs" sh -c 'sed -n "s|^    ./isoloft read|isoloft read|p" "$srcdir/README.md" |

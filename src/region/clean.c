@@ -8,6 +8,7 @@
 #include "region/boundary.h"
 #include "region/near.h"
 #include "region/separate.h"
+#include "region/simple.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -266,25 +267,48 @@ static size_t count_dropped(const il_report *r)
            r->repair[IL_REPAIR_DUPLICATE_RING] + r->repair[IL_REPAIR_ROUNDED_POINT];
 }
 
+/* Has the settled arrangement of S nothing but its rings, each vertex once? */
+static bool is_simple(const il_arrangement *a, const il_slice *s, size_t crossings, size_t touches)
+{
+    size_t vertices = 0, rings = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        vertices += s->ring[i].n;
+        rings += s->ring[i].n > 0;
+    }
+    return crossings == 0 && touches == 0 && a->n_nodes == vertices && rings <= IL_SIMPLE_RINGS;
+}
+
+/* The boundary of what the arrangement A of S bounds. */
+static il_status extract(il_slice *clean, il_slice *s, const il_arrangement *a, bool round_float, il_report *report, il_error *err)
+{
+    size_t cancelled = 0, pinches = 0;
+    il_status st = il_boundary_extract(a, clean, &cancelled, &pinches, err);
+    if (st == IL_OK)
+        st = hand_down(s, a, clean, report, err);
+    if (st == IL_OK && pinches > 0)
+        st = il_slice_separate(clean, round_float, &pinches, err);
+    if (st == IL_OK) {
+        il_report_repair(report, IL_REPAIR_KEYHOLE_EDGE, cancelled);
+        il_report_repair(report, IL_REPAIR_PINCH, pinches);
+    }
+    return st;
+}
+
 /* The boundary of the prepared slice S. */
 static il_status rebuild(il_slice *clean, il_slice *s, bool round_float, il_report *report, il_error *err)
 {
     il_arrangement a = IL_ARRANGEMENT_INIT;
-    size_t crossings = 0, touches = 0, cancelled = 0, pinches = 0;
+    size_t crossings = 0, touches = 0, turned = 0;
     il_status st = il_arrangement_from_slice(&a, s, il_slice_cell(s, round_float), err);
     if (st == IL_OK)
         st = il_arrangement_settle(&a, &crossings, &touches, err);
     if (st == IL_OK)
-        st = il_boundary_extract(&a, clean, &cancelled, &pinches, err);
-    if (st == IL_OK)
-        st = hand_down(s, &a, clean, report, err);
-    if (st == IL_OK && pinches > 0)
-        st = il_slice_separate(clean, round_float, &pinches, err);
+        st = is_simple(&a, s, crossings, touches) ? il_slice_take_simple(clean, s, &turned, err)
+                                                  : extract(clean, s, &a, round_float, report, err);
     if (st == IL_OK) {
         il_report_repair(report, IL_REPAIR_CROSSING, crossings);
         il_report_repair(report, IL_REPAIR_TOUCH, touches);
-        il_report_repair(report, IL_REPAIR_KEYHOLE_EDGE, cancelled);
-        il_report_repair(report, IL_REPAIR_PINCH, pinches);
+        il_report_repair(report, IL_REPAIR_REVERSED_RING, turned);
     }
     il_arrangement_free(&a);
     return st;

@@ -66,6 +66,8 @@ for name in ffd arcs; do
 done
 starve "and of all pairs" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_arcs.loft" -o box/
 starve "so does info" "$ISOLOFT" info block.loft
+starve "so does the list of a structure set" "$ISOLOFT" --list --roi '[VE]*' "$srcdir/examples/phantom.dcmdump.txt"
+starve "and a tilted one, turned" "$ISOLOFT" "$srcdir/formats/dcmdump/valid/v_tilted.txt" --ras -o box/t.stl
 starve "so does check of a mesh" "$ISOLOFT" check block.ply
 starve "so does check of a stream" "$ISOLOFT" check block.loft
 exits 5 "out of memory is exit 5" env ISOLOFT_TEST_ALLOC=0 "$ISOLOFT" block.loft

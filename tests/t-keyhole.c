@@ -132,6 +132,45 @@ static void many_channels_of_a_ring_are_cut_out(void **state)
     OPENS(c);
 }
 
+/* Squares in one another, from LOW to HIGH in x and y, each hung on the one around it by a
+ * channel with sides GAP apart, by turns from the left and from the right.  The levels
+ * run as they should for TWIST 30, else some run the other way, and the sides cross. */
+static void add_nested(il_ring *r, int level, int depth, double low, double high, double gap, int twist)
+{
+    double middle = (low + high) / 2, away = level % 2 ? high : low, other = level % 2 ? low : high, up = level >> twist & 1 ? -1 : 1;
+    double first[6] = { away, middle, away, middle - up * (high - low) / 2, other, middle - up * (high - low) / 2 };
+    double last[6] = { other, middle + up * (high - low) / 2, away, middle + up * (high - low) / 2, away, middle + up * gap };
+    for (int k = 0; k < 3; k++)
+        assert_true(il_ring_add(r, first[2 * k], first[2 * k + 1], 0));
+    if (level < depth) {
+        assert_true(il_ring_add(r, other, middle, 0));
+        add_nested(r, level + 1, depth, low + 2, high - 2, gap, twist);
+        assert_true(il_ring_add(r, other, middle + up * gap, 0));
+    }
+    for (int k = 0; k < 3; k++)
+        assert_true(il_ring_add(r, last[2 * k], last[2 * k + 1], 0));
+}
+
+static void nested_keyholes_come_apart_level_by_level(void **state)
+{
+    (void)state;
+    for (int depth = 0; depth < 12; depth++)
+        for (int g = 0; g < 9; g++) {
+            static const int twists[] = { 30, 0, 1 };
+            il_slice s = IL_SLICE_INIT;
+            il_report report = IL_REPORT_INIT;
+            double area = 0;
+            for (int k = 0; k <= depth; k++)
+                area += (k % 2 ? -1 : 1) * pow(60 - 4 * k, 2);
+            add_nested(il_slice_add_ring(&s), 0, depth, 0, 60, 0.02 * (g % 3), twists[g / 3]);
+            open_and_clean(&s, T, &report);
+            assert_int_equal(report.repair[IL_REPAIR_KEYHOLE], depth);
+            assert_int_equal(s.n, depth + 1);
+            assert_true(fabs(il_slice_area(&s) - area) < (twists[g / 3] == 30 ? 1e-9 : 1e-3));
+            il_slice_free(&s);
+        }
+}
+
 static void a_ring_drawn_as_a_band_that_is_closed_by_a_keyhole_comes_apart(void **state)
 {
     (void)state;
@@ -457,6 +496,7 @@ int main(void)
         cmocka_unit_test(sides_that_cross_are_cut_out),
         cmocka_unit_test(the_loops_need_no_vertex_where_the_channel_goes_on_straight),
         cmocka_unit_test(many_channels_of_a_ring_are_cut_out),
+        cmocka_unit_test(nested_keyholes_come_apart_level_by_level),
         cmocka_unit_test(a_ring_drawn_as_a_band_that_is_closed_by_a_keyhole_comes_apart),
         cmocka_unit_test(sides_that_are_too_far_apart_stay),
         cmocka_unit_test(tongues_without_a_loop_stay),

@@ -13,7 +13,6 @@ void il_outline_free(il_outline *o)
 {
     il_free(o->xy);
     il_free(o->length);
-    il_free(o->area2);
     il_free(o->vertex);
     *o = (il_outline)IL_OUTLINE_INIT;
 }
@@ -21,11 +20,6 @@ void il_outline_free(il_outline *o)
 static double distance(const double *p, const double *q)
 {
     return hypot(p[0] - q[0], p[1] - q[1]);
-}
-
-static double cross_about(const double *o, const double *p, const double *q)
-{
-    return (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
 }
 
 /* The distinct vertices of R. */
@@ -47,17 +41,15 @@ il_status il_outline_init(il_outline *o, const il_ring *r, il_error *err)
     o->xy = il_alloc(r->n, 2 * sizeof *o->xy);
     o->vertex = il_alloc(r->n, sizeof *o->vertex);
     o->length = il_alloc(r->n + 1, sizeof *o->length);
-    o->area2 = il_alloc(r->n + 1, sizeof *o->area2);
-    if (!o->xy || !o->vertex || !o->length || !o->area2) {
+    if (!o->xy || !o->vertex || !o->length) {
         il_outline_free(o);
         return il_fail_nomem(err);
     }
     copy_vertices(o, r);
-    o->length[0] = o->area2[0] = 0;
+    o->length[0] = 0;
     for (size_t i = 0; i < o->n; i++) {
         const double *p = o->xy + 2 * i, *q = o->xy + 2 * (i + 1 < o->n ? i + 1 : 0);
         o->length[i + 1] = o->length[i] + distance(p, q);
-        o->area2[i + 1] = o->area2[i] + cross_about(o->xy, p, q);
     }
     return IL_OK;
 }
@@ -84,18 +76,6 @@ void il_outline_at(const il_outline *o, double s, double p[2])
     t = t >= 0 && t <= 1 ? t : t > 1;
     for (int k = 0; k < 2; k++)
         p[k] = from[k] + t * (to[k] - from[k]);
-}
-
-double il_outline_area2(const il_outline *o, size_t from, size_t to, double *perimeter)
-{
-    const double *p = o->xy + 2 * from, *q = o->xy + 2 * to;
-    double swept = o->area2[to] - o->area2[from], along = o->length[to] - o->length[from];
-    if (to < from) {
-        swept += o->area2[o->n];
-        along += o->length[o->n];
-    }
-    *perimeter = along + distance(p, q);
-    return swept + cross_about(o->xy, q, p);
 }
 
 /* ---- places ------------------------------------------------------------------ */

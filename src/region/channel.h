@@ -8,14 +8,14 @@
 #include <stdint.h>
 
 /* A ring without repeated points: xy[2*n]; vertex[n], where each was in the ring;
- * length[n + 1], from vertex 0 on; area2[n + 1], twice the area swept from vertex 0. */
+ * length[n + 1], from vertex 0 on. */
 typedef struct il_outline {
-    double *xy, *length, *area2;
+    double *xy, *length;
     size_t *vertex;
     size_t n;
 } il_outline;
 
-#define IL_OUTLINE_INIT { NULL, NULL, NULL, NULL, 0 }
+#define IL_OUTLINE_INIT { NULL, NULL, NULL, 0 }
 il_status il_outline_init(il_outline *o, const il_ring *r, il_error *err);
 void il_outline_free(il_outline *o);
 
@@ -24,10 +24,6 @@ double il_outline_length(const il_outline *o);
 
 /* The point S along O; any S, O is closed.  O(log n). */
 void il_outline_at(const il_outline *o, double s, double p[2]);
-
-/* Twice the signed area of the vertices FROM to TO, onwards, with the chord
- * that closes them, and its length in *PERIMETER. */
-double il_outline_area2(const il_outline *o, size_t from, size_t to, double *perimeter);
 
 /* A place P on an outline: vertex `edge`, or inside the edge that begins there. */
 typedef struct il_place {

@@ -13,10 +13,11 @@ static const double LENGTH_WIDTHS = 20, LENGTH_TOLERANCES = 4, BEHIND = 5, APART
 
 /* A channel as vertices:  loop a0 - a1 loop b1 - b0  round the ring, of which a1
  * follows b1 when it is cut, and b0 follows a0.  What lies between a0 and a1 and
- * between b1 and b0 is dropped.  area2: twice the area of the smaller loop. */
+ * between b1 and b0 is dropped.  loop: the perimeter of the shorter side of it;
+ * area2: twice the channel's area, at most. */
 typedef struct cut {
     size_t a0, a1, b0, b1;
-    double area2;
+    double loop, area2;
 } cut;
 
 /* ---- is it a keyhole? ----------------------------------------------------------- */
@@ -36,13 +37,14 @@ static bool parts(const il_outline *o, const il_channel *c, int k, double tolera
     return hypot(p[0] - q[0], p[1] - q[1]) >= APART * tolerance;
 }
 
-/* Twice the area of the loop FROM..TO, or 0 when it is a slit. */
-static double loop_area2(const il_outline *o, size_t from, size_t to, double tolerance)
+static double perimeter_of(const il_outline *o, size_t from, size_t to)
 {
-    double perimeter, area2 = fabs(il_outline_area2(o, from, to, &perimeter));
-    return area2 >= LOOP_TOLERANCES * tolerance * perimeter ? area2 : 0;
+    double l = o->length[to] - o->length[from] + (to < from ? il_outline_length(o) : 0);
+    return l + hypot(o->xy[2 * to] - o->xy[2 * from], o->xy[2 * to + 1] - o->xy[2 * from + 1]);
 }
 
+/* What can be told of a channel without the others.  What is not to be a slit
+ * goes a good way round: a circle 8 t wide is the least. */
 static bool judge(const il_outline *o, const il_channel *c, double tolerance, cut *to)
 {
     double length = fmin(length_between(o, &c->a[0], &c->a[1]), length_between(o, &c->b[1], &c->b[0]));
@@ -55,9 +57,9 @@ static bool judge(const il_outline *o, const il_channel *c, double tolerance, cu
     to->a1 = il_place_vertex(o, &c->a[1], true);
     to->b0 = il_place_vertex(o, &c->b[0], true);
     to->b1 = il_place_vertex(o, &c->b[1], false);
-    double inner = loop_area2(o, to->a1, to->b1, tolerance), outer = loop_area2(o, to->b0, to->a0, tolerance);
-    to->area2 = fmin(inner, outer);
-    return to->area2 > 0 && to->area2 >= 2 * AREA_RATIO * c->width * length;
+    to->loop = fmin(perimeter_of(o, to->a1, to->b1), perimeter_of(o, to->b0, to->a0));
+    to->area2 = 2 * c->width * length;
+    return to->loop >= 4 * LOOP_TOLERANCES * tolerance;
 }
 
 /* ---- which of them together ---------------------------------------------------- */
@@ -66,8 +68,8 @@ static bool judge(const il_outline *o, const il_channel *c, double tolerance, cu
 static int compare_cuts(const void *p, const void *q)
 {
     const cut *a = p, *b = q;
-    if (a->area2 != b->area2)
-        return a->area2 < b->area2 ? -1 : 1;
+    if (a->loop != b->loop)
+        return a->loop < b->loop ? -1 : 1;
     if (a->a0 != b->a0)
         return a->a0 < b->a0 ? -1 : 1;
     return a->b0 < b->b0 ? -1 : a->b0 > b->b0;
@@ -101,6 +103,110 @@ static size_t keep_apart(cut *c, size_t n, bool *taken, size_t n_vertices)
         c[kept++] = c[i];
     }
     return kept;
+}
+
+/* next[i] follows vertex i when C[0..N) are cut, and done[i] says what is dropped. */
+static void link_vertices(const cut *c, size_t n, size_t n_vertices, size_t *next, bool *done)
+{
+    for (size_t i = 0; i < n_vertices; i++)
+        next[i] = i + 1 < n_vertices ? i + 1 : 0;
+    for (size_t k = 0; k < n; k++) {
+        for (size_t i = next[c[k].a0]; c[k].a0 != c[k].a1 && i != c[k].a1; i = next[i])
+            done[i] = true;
+        for (size_t i = next[c[k].b1]; c[k].b1 != c[k].b0 && i != c[k].b0; i = next[i])
+            done[i] = true;
+    }
+    for (size_t k = 0; k < n; k++) {
+        next[c[k].a0] = c[k].b0;
+        next[c[k].b1] = c[k].a1;
+    }
+}
+
+/* ---- the loops that would come of it --------------------------------------------- */
+
+/* area2: twice the signed area; n_cuts: how many channels end at it. */
+typedef struct loop {
+    double area2, perimeter;
+    size_t n_cuts;
+} loop;
+
+/* Of the outline cut at some channels: next[] as above, loop_of[i] the loop of
+ * vertex i. */
+typedef struct pieces {
+    size_t *next, *loop_of;
+    bool *done;
+    loop *loop;             size_t n;
+} pieces;
+
+static void pieces_free(pieces *p)
+{
+    il_free(p->next);
+    il_free(p->loop_of);
+    il_free(p->done);
+    il_free(p->loop);
+}
+
+static bool pieces_init(pieces *p, size_t n_vertices)
+{
+    *p = (pieces){ il_alloc(n_vertices, sizeof *p->next), il_alloc(n_vertices, sizeof *p->loop_of),
+                   il_alloc(n_vertices, sizeof *p->done), il_alloc(n_vertices, sizeof *p->loop), 0 };
+    return p->next && p->loop_of && p->done && p->loop;
+}
+
+static void measure_loop(pieces *p, const il_outline *o, size_t i)
+{
+    loop *l = &p->loop[p->n];
+    const double *origin = o->xy + 2 * i;
+    *l = (loop){ 0, 0, 0 };
+    for (; !p->done[i]; i = p->next[i]) {
+        const double *a = o->xy + 2 * i, *b = o->xy + 2 * p->next[i];
+        p->done[i] = true;
+        p->loop_of[i] = p->n;
+        l->area2 += (a[0] - origin[0]) * (b[1] - origin[1]) - (a[1] - origin[1]) * (b[0] - origin[0]);
+        l->perimeter += hypot(b[0] - a[0], b[1] - a[1]);
+    }
+    p->n++;
+}
+
+static void measure_loops(pieces *p, const il_outline *o, const cut *c, size_t n)
+{
+    memset(p->done, 0, o->n * sizeof *p->done);
+    link_vertices(c, n, o->n, p->next, p->done);
+    p->n = 0;
+    for (size_t i = 0; i < o->n; i++)
+        if (!p->done[i])
+            measure_loop(p, o, i);
+    for (size_t k = 0; k < n; k++) {
+        p->loop[p->loop_of[c[k].a0]].n_cuts++;
+        p->loop[p->loop_of[c[k].a1]].n_cuts++;
+    }
+}
+
+/* Is the loop at one end of C a last one, and too little to be what was drawn? */
+static bool is_dead_end(const loop *l, const cut *c, double tolerance)
+{
+    double area2 = fabs(l->area2);
+    return l->n_cuts == 1 && (area2 < LOOP_TOLERANCES * tolerance * l->perimeter || area2 < AREA_RATIO * c->area2);
+}
+
+/* C[0..N) without those that lead to dead ends: how many are left.  What hangs on
+ * a dead end may be one then: so this is repeated. */
+static size_t drop_dead_ends(pieces *p, const il_outline *o, cut *c, size_t n, double tolerance)
+{
+    enum { ROUNDS = 20 };
+    for (int round = 0; n > 0; round++) {
+        size_t kept = 0;
+        measure_loops(p, o, c, n);
+        for (size_t k = 0; k < n; k++) {
+            const loop *a = &p->loop[p->loop_of[c[k].a0]], *b = &p->loop[p->loop_of[c[k].a1]];
+            if (a != b && !is_dead_end(a, &c[k], tolerance) && !is_dead_end(b, &c[k], tolerance))
+                c[kept++] = c[k];
+        }
+        if (kept == n)
+            break;
+        n = round < ROUNDS ? kept : 0;
+    }
+    return n;
 }
 
 /* ---- cutting ---------------------------------------------------------------------- */
@@ -138,23 +244,6 @@ static bool add_loop(il_slice *s, const il_outline *o, const il_ring *from, cons
     return ok;
 }
 
-/* next[i] follows vertex i when C[0..N) are cut, and done[i] says what is dropped. */
-static void link_vertices(const cut *c, size_t n, size_t n_vertices, size_t *next, bool *done)
-{
-    for (size_t i = 0; i < n_vertices; i++)
-        next[i] = i + 1 < n_vertices ? i + 1 : 0;
-    for (size_t k = 0; k < n; k++) {
-        for (size_t i = next[c[k].a0]; c[k].a0 != c[k].a1 && i != c[k].a1; i = next[i])
-            done[i] = true;
-        for (size_t i = next[c[k].b1]; c[k].b1 != c[k].b0 && i != c[k].b0; i = next[i])
-            done[i] = true;
-    }
-    for (size_t k = 0; k < n; k++) {
-        next[c[k].a0] = c[k].b0;
-        next[c[k].b1] = c[k].a1;
-    }
-}
-
 /* The loops of FROM, cut at C[0..N), as rings at the end of S. */
 static il_status add_loops(il_slice *s, const il_outline *o, const il_ring *from, const cut *c, size_t n, il_error *err)
 {
@@ -170,6 +259,21 @@ static il_status add_loops(il_slice *s, const il_outline *o, const il_ring *from
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
+/* Those of the candidates C[0..*N) that are cut together: *N of them. */
+static il_status choose_cuts(const il_outline *o, cut *c, size_t *n, double tolerance, il_error *err)
+{
+    bool *taken = il_calloc(o->n, sizeof *taken);
+    pieces p;
+    bool ok = pieces_init(&p, o->n) && taken;
+    if (ok) {
+        *n = keep_apart(c, *n, taken, o->n);
+        *n = drop_dead_ends(&p, o, c, *n, tolerance);
+    }
+    pieces_free(&p);
+    il_free(taken);
+    return ok ? IL_OK : il_fail_nomem(err);
+}
+
 /* The keyholes of O: *CUTS[*N], to il_free. */
 static il_status find_cuts(const il_outline *o, double tolerance, cut **cuts, size_t *n, il_error *err)
 {
@@ -179,15 +283,10 @@ static il_status find_cuts(const il_outline *o, double tolerance, cut **cuts, si
     *n = 0;
     il_status st = il_channels_find(o, tolerance, &channel, &n_channels, err);
     if (st == IL_OK && n_channels > 0) {
-        bool *taken = il_calloc(o->n, sizeof *taken);
         *cuts = il_alloc(n_channels, sizeof **cuts);
-        if (!taken || !*cuts)
-            st = il_fail_nomem(err);
-        for (size_t i = 0; st == IL_OK && i < n_channels; i++)
+        for (size_t i = 0; *cuts && i < n_channels; i++)
             *n += judge(o, &channel[i], tolerance, &(*cuts)[*n]);
-        if (st == IL_OK)
-            *n = keep_apart(*cuts, *n, taken, o->n);
-        il_free(taken);
+        st = !*cuts ? il_fail_nomem(err) : *n > 0 ? choose_cuts(o, *cuts, n, tolerance, err) : IL_OK;
     }
     il_free(channel);
     return st;

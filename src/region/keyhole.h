@@ -21,9 +21,10 @@
  *    has R >= 100 t, and 5 t behind its end the bulges are at most 2.25 t apart;
  *  - 5 t behind either end the sides are at least 2.5 t apart: they part in a
  *    corner (of 30 degrees), as no such bulges do;
- *  - the loop at either end has ten times the area w times length, so that it and
- *    not the channel is what was drawn; and it is 4 t wide in the mean (2 area /
- *    perimeter), so that it is no slit itself.
+ *  - it leads to no dead end: a last loop, to which no other channel goes, has ten
+ *    times the area w times length, so that it and not the channel is what was
+ *    drawn, and is 4 t wide in the mean (2 area / perimeter), so that it is no
+ *    slit itself.
  * So a cut moves the outline by no more than t, and no area of more than w times length.
  *
  * Counts IL_REPAIR_KEYHOLE, one a channel, and the repeated points of rings that

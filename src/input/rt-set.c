@@ -30,7 +30,8 @@ typedef enum place {
 
 /* Ranks of ROIs: those of the list (3006,0020) as it has them, then those that only
  * contours name, as they came, then those that are only observed, of which
- * nothing becomes.  A file may have these three in any order. */
+ * nothing becomes.  A file may have these three in any order.  To these the number
+ * of the item is added, so that no two are equal. */
 static const size_t RANK_DRAWN = SIZE_MAX / 4, RANK_OBSERVED = SIZE_MAX / 2;
 
 struct il_rt_set {
@@ -44,7 +45,7 @@ struct il_rt_set {
     bool has_list, has_contours, has_observations; /* there are these sequences, be they empty */
     bool is_charset_noted;      /* that it is unknown has been told */
     il_rt_roi *roi;             size_t n, cap;
-    size_t n_listed;            /* items that the list of ROIs had by now */
+    size_t n_items;             /* of all three sequences by now */
     il_keymap by_number;        /* ROI number -> index in roi */
     il_rt_roi item;             /* of the item at hand */
     il_rt_contour contour;      /* likewise */
@@ -347,7 +348,7 @@ static il_status add_item(il_rt_set *s, il_error *err)
 static il_status end_roi(il_rt_set *s, il_error *err)
 {
     il_rt_roi *old = s->item.has_number ? find_roi(s, s->item.number) : NULL;
-    s->item.rank = s->n_listed++;
+    s->item.rank = s->n_items++;
     if (!old)
         return add_item(s, err);
     if (old->rank < RANK_DRAWN)
@@ -360,14 +361,14 @@ static il_status end_contours(il_rt_set *s, il_error *err)
     il_rt_roi *roi = s->item.has_number ? find_roi(s, s->item.number) : NULL;
     if (roi && roi->n > 0 && s->item.n > 0)
         il_report_note(&roi->report, "its contours stand in several places of the file");
-    s->item.rank = RANK_DRAWN + s->n;
+    s->item.rank = RANK_DRAWN + s->n_items++;
     return roi ? il_rt_roi_merge(roi, &s->item, err) : add_item(s, err);
 }
 
 static il_status end_observation(il_rt_set *s, il_error *err)
 {
     il_rt_roi *roi = s->item.has_number ? find_roi(s, s->item.number) : NULL;
-    s->item.rank = RANK_OBSERVED + s->n;
+    s->item.rank = RANK_OBSERVED + s->n_items++;
     if (s->item.has_number)
         return roi ? il_rt_roi_merge(roi, &s->item, err) : add_item(s, err);
     il_rt_roi_free(&s->item);
@@ -402,7 +403,7 @@ static void forget_dataset(il_rt_set *s)
     il_free(s->modality);
     il_free(s->kind);
     s->charset = s->modality = s->kind = NULL;
-    s->n = s->n_listed = s->depth = 0;
+    s->n = s->n_items = s->depth = 0;
     s->has_list = s->has_contours = s->has_observations = s->is_charset_noted = false;
 }
 

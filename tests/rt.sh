@@ -62,7 +62,7 @@ roi 3 last
 square 0 10; square 3 10
 dump_end >fault.txt
 exits 3 "an ROI with a fault shows in the list" "$ISOLOFT" --list fault.txt
-holds "with its reason" grep -q '^ *2  bad .* failed: fault.txt:[0-9]*: ' out
+holds "with its reason, and nothing else" grep -q '^ *2  bad .* -  failed: fault.txt:[0-9]*: ' out
 holds "and the others as well" sh -c '[ "$(grep -c " 2  *2  *8 " out)" -eq 2 ]'
 
 # ---- --roi -------------------------------------------------------------------------
@@ -180,6 +180,23 @@ holds "with its name and the place" grep -q "stack 'star' near (3[0-9.e+]*, [0-9
 holds "and nothing is written" test ! -e far.stl
 exits 0 "doubles hold it" "$ISOLOFT" far.loft -q -o far.ply
 holds "soundly" "$ISOLOFT" check far.ply
+
+# ---- limits ---------------------------------------------------------------------------
+
+exits 3 "the points of an ROI can be limited" "$ISOLOFT" --list set.txt --max-points 23
+holds "which one line says" sh -c '[ "$(wc -l <err)" -eq 1 ] && grep -q "more than 23 points in the contours of one ROI" err'
+exits 0 "to what is there" "$ISOLOFT" --list set.txt --max-points 24
+nested() { # N: sequences, one in another
+    awk -v n="$1" -v item="$item" -v item_end="$item_end" -v end="$sequence_end" '
+        /^\(3006,0020\)/ { for (k = 0; k < n; k++) print "(0040,a730) SQ (Sequence with undefined length #=1)  # u/l, 1 ContentSequence\n" item
+            for (k = 0; k < n; k++) print item_end "\n" end }
+        { print }' set.txt
+}
+nested 1000 >deep.txt
+exits 0 "a thousand nested sequences are fine" "$ISOLOFT" --list deep.txt
+nested 1001 >deep.txt
+exits 3 "one more is not" "$ISOLOFT" --list deep.txt
+exits 0 "but may be allowed" "$ISOLOFT" --list deep.txt --max-depth 1001
 
 # ---- binary files ---------------------------------------------------------------------
 

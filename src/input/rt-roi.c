@@ -80,22 +80,24 @@ bool il_rt_roi_add(il_rt_roi *r, il_rt_contour *c)
 {
     if (!il_grow(&r->contour, &r->cap, r->n + 1, sizeof *r->contour))
         return false;
+    r->n_points += c->n;
     r->contour[r->n++] = *c;
     *c = (il_rt_contour){ 0 };
     return true;
 }
 
-void il_rt_roi_fail(il_rt_roi *r, long line, const char *format, ...)
+il_status il_rt_roi_fail(il_rt_roi *r, long line, il_error *err, const char *format, ...)
 {
     char text[300];
     va_list args;
     if (r->fault)
-        return;
+        return IL_OK;
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
     r->fault = il_strndup(text, strlen(text));
     r->fault_line = line;
+    return r->fault ? IL_OK : il_fail_nomem(err);
 }
 
 static void take_text(char **to, char **from)
@@ -113,6 +115,7 @@ il_status il_rt_roi_merge(il_rt_roi *to, il_rt_roi *from, il_error *err)
     if (from->n > 0)
         memcpy(to->contour + to->n, from->contour, from->n * sizeof *from->contour);
     to->n += from->n;
+    to->n_points += from->n_points;
     from->n = 0;
     take_text(&to->name, &from->name);
     take_text(&to->algorithm, &from->algorithm);

@@ -34,7 +34,7 @@ void il_rt_contour_point(const il_rt_contour *c, size_t i, double xyz[3]);
 
 /* Texts are UTF-8, owned, and null where the file says nothing.  fault: why the
  * ROI cannot be had, null when it can.  report: what was skipped of it.
- * rank: the least comes first. */
+ * n_points: of its contours.  rank: the least comes first. */
 typedef struct il_rt_roi {
     bool has_number, has_color;
     long number;
@@ -43,6 +43,7 @@ typedef struct il_rt_roi {
     char *name, *algorithm, *type, *frame_uid, *fault;
     long line, fault_line;
     il_rt_contour *contour;     size_t n, cap;
+    size_t n_points;
     il_report report;
 } il_rt_roi;
 
@@ -51,8 +52,9 @@ void il_rt_roi_free(il_rt_roi *r);
 /* Take over the contour C.  False without memory. */
 bool il_rt_roi_add(il_rt_roi *r, il_rt_contour *c);
 
-/* Say why R cannot be had, unless that is said already. */
-void il_rt_roi_fail(il_rt_roi *r, long line, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Say why R cannot be had, unless that is said already.  IL_E_NOMEM. */
+il_status il_rt_roi_fail(il_rt_roi *r, long line, il_error *err, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* What FROM has goes to TO: contours behind TO's, the rest where TO has none.
  * FROM is empty then.  IL_E_NOMEM. */

@@ -17,8 +17,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where in the dataset the parser is: each list is a sequence, the place behind
- * it one of its items. */
+/* Where in the dataset the parser is: each list is a sequence and odd, the place
+ * behind it one of its items. */
 typedef enum place {
     PLACE_DATASET,
     PLACE_ROI_LIST, PLACE_ROI,
@@ -209,9 +209,8 @@ static il_status parse_numbers(il_rt_set *s, const element *e, size_t *n, il_err
         if (used == 0 || (stop < end && *stop != '\\') || !(fabs(value) < IL_COORDINATE_BOUND)) {
             const char *next = memchr(at, '\\', (size_t)(end - at));
             size_t length = next ? (size_t)(next - at) : (size_t)(end - at);
-            il_rt_roi_fail(&s->item, e->line, "value %zu of the contour data, '%.*s', is no number below 1e15",
-                           *n + 1, (int)(length < 40 ? length : 40), at);
-            return IL_OK;
+            return il_rt_roi_fail(&s->item, e->line, err, "value %zu of the contour data, '%.*s', is no number below 1e15",
+                                  *n + 1, (int)(length < 40 ? length : 40), at);
         }
         if (!il_grow(&s->xyz, &s->cap_xyz, *n + 1, sizeof *s->xyz))
             return il_fail_nomem(err);
@@ -225,14 +224,16 @@ static il_status take_data(il_rt_set *s, const element *e, il_error *err)
 {
     size_t n = 0;
     il_rt_contour_free(&s->contour);
+    if (s->item.fault)
+        return IL_OK;
     il_status st = parse_numbers(s, e, &n, err);
     if (st != IL_OK || s->item.fault)
         return st;
-    if (n % 3 != 0)
-        il_rt_roi_fail(&s->item, e->line, "the contour data has %zu values, which is no multiple of 3", n);
     s->has_data = n > 0;
     s->contour.line = e->line;
-    return s->item.fault ? IL_OK : il_rt_contour_from_points(&s->contour, s->xyz, n / 3, err);
+    if (n % 3 != 0)
+        return il_rt_roi_fail(&s->item, e->line, err, "the contour data has %zu values, which is no multiple of 3", n);
+    return il_rt_contour_from_points(&s->contour, s->xyz, n / 3, err);
 }
 
 static const struct wanted {
@@ -303,13 +304,23 @@ il_status il_rt_set_element(il_rt_set *s, uint32_t tag, const char *text, size_t
 
 /* ---- items that are complete ------------------------------------------------------ */
 
+/* An ROI is a stack, which the options bound. */
+static il_status check_points(const il_rt_set *s, const il_rt_roi *r, long line, il_error *err)
+{
+    if (r->n_points <= s->options->max_points)
+        return IL_OK;
+    return il_fail(err, IL_E_INPUT, line, "more than %zu points in the contours of one ROI", s->options->max_points);
+}
+
 static il_status end_contour(il_rt_set *s, il_error *err)
 {
     bool is_xor = s->kind && strcmp(s->kind, "CLOSEDPLANAR_XOR") == 0;
     bool is_closed = !s->kind || is_xor || strcmp(s->kind, "CLOSED_PLANAR") == 0;
     char what[80];
     s->contour.is_xor = is_xor;
-    if (!is_closed) {
+    if (s->item.fault) {
+        /* the ROI is refused as a whole, and nothing is skipped of it */
+    } else if (!is_closed) {
         snprintf(what, sizeof what, "%.40s contour", s->kind);
         il_report_skip(&s->item.report, s->file, s->contour.line, what, "it bounds no area: CLOSED_PLANAR does");
     } else if (!s->has_data) {
@@ -320,8 +331,8 @@ static il_status end_contour(il_rt_set *s, il_error *err)
     } else {
         if (s->has_count && s->n_points != s->contour.n)
             il_report_repair(&s->item.report, IL_REPAIR_POINT_COUNT, 1);
-        if (!il_rt_roi_add(&s->item, &s->contour))
-            return il_fail_nomem(err);
+        long line = s->contour.line;
+        return il_rt_roi_add(&s->item, &s->contour) ? check_points(s, &s->item, line, err) : il_fail_nomem(err);
     }
     il_rt_contour_free(&s->contour);
     return IL_OK;
@@ -356,13 +367,16 @@ static il_status end_roi(il_rt_set *s, il_error *err)
     return il_rt_roi_merge(old, &s->item, err);
 }
 
-static il_status end_contours(il_rt_set *s, il_error *err)
+static il_status end_contours(il_rt_set *s, long line, il_error *err)
 {
     il_rt_roi *roi = s->item.has_number ? find_roi(s, s->item.number) : NULL;
     if (roi && roi->n > 0 && s->item.n > 0)
         il_report_note(&roi->report, "its contours stand in several places of the file");
     s->item.rank = RANK_DRAWN + s->n_items++;
-    return roi ? il_rt_roi_merge(roi, &s->item, err) : add_item(s, err);
+    if (!roi)
+        return add_item(s, err);
+    il_status st = il_rt_roi_merge(roi, &s->item, err);
+    return st == IL_OK ? check_points(s, roi, line, err) : st;
 }
 
 static il_status end_observation(il_rt_set *s, il_error *err)
@@ -377,9 +391,10 @@ static il_status end_observation(il_rt_set *s, il_error *err)
 
 /* ---- brackets ---------------------------------------------------------------------- */
 
+/* A sequence is two brackets, its own and that of the item at hand. */
 static il_status push(il_rt_set *s, place at, long line, il_error *err)
 {
-    if (s->depth > s->options->max_depth)
+    if ((s->depth + 1) / 2 > s->options->max_depth)
         return il_fail(err, IL_E_INPUT, line, "sequences nested more than %zu deep", s->options->max_depth);
     if (!il_grow(&s->place, &s->cap_depth, s->depth + 1, 1))
         return il_fail_nomem(err);
@@ -389,7 +404,7 @@ static il_status push(il_rt_set *s, place at, long line, il_error *err)
 
 static bool is_list(place at)
 {
-    return at != PLACE_DATASET && at % 2 == 1;
+    return at % 2 == 1;
 }
 
 static void forget_dataset(il_rt_set *s)
@@ -450,7 +465,7 @@ il_status il_rt_set_end_item(il_rt_set *s, long line, il_error *err)
     s->depth--;
     switch (at) {
     case PLACE_ROI:         return end_roi(s, err);
-    case PLACE_CONTOURS:    return end_contours(s, err);
+    case PLACE_CONTOURS:    return end_contours(s, line, err);
     case PLACE_CONTOUR:     return end_contour(s, err);
     case PLACE_OBSERVATION: return end_observation(s, err);
     default:                return IL_OK;

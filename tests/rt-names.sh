@@ -100,4 +100,13 @@ done
 "$ISOLOFT" --list names.txt >out
 holds "a line an ROI" test "$(wc -l <out)" -eq $((last + 1))
 
+# What names the character set is looked through for every name; 10 MB of it must not be.
+dump_begin
+for k in 1 2 3 4 5 6 7 8 9 10; do roi_named $k "name $k"; done
+dump_end | awk '/^.0008,0005/ { set = "ISO_IR 100"; for (k = 0; k < 20; k++) set = set "\\" set; print "(0008,0005) CS [" set "]  # 2, 1 x"; next }
+    /^.3006,0026/ { for (k = 0; k < 300; k++) print }
+    { print }' >charset.txt
+seconds=$("$ISOLOFT" --list --json charset.txt | sed -n 's/.*"seconds":\([0-9]*\).*/\1/p')
+holds "a long character set costs nothing for each name" test "${seconds:-99}" -lt 20
+
 plan

@@ -7,6 +7,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* All sets together have names of some 400 bytes; what goes on behind these says
+ * nothing new, and every text would look through it again. */
+enum { IL_CHARSET_MOST = 1000 };
+
 /* The N bytes at TEXT in the Specific Character Set (0008,0005) DEFINED[0..N_DEFINED)
  * ("ISO_IR 100", "\\ISO 2022 IR 87", ...; empty: ISO_IR 6) as UTF-8 in *OUT, terminated,
  * to be freed by il_free; *N_OUT is its length.  With code extensions (DICOM

@@ -4,6 +4,7 @@
 #include "config.h"
 #include "base/alloc.h"
 #include "base/text.h"
+#include "input/charset.h"
 #include "input/dicom-quoted.h"
 #include "input/dicom-values.h"
 #include "input/rt-set.h"
@@ -165,7 +166,7 @@ static il_status end_attribute(parser *p, il_error *err)
         return st;
     if (p->tag == IL_TAG(0x0008, 0x0005)) {
         il_free(p->charset);
-        p->charset = il_strndup(s, n);
+        p->charset = il_strndup(s, n < IL_CHARSET_MOST ? n : IL_CHARSET_MOST);
         if (!p->charset)
             return il_fail_nomem(err);
     }

@@ -121,7 +121,7 @@ typedef struct element {
 static il_status take_charset(il_rt_set *s, const element *e, il_error *err)
 {
     il_free(s->charset);
-    s->charset = il_strndup(e->text, e->n);
+    s->charset = il_strndup(e->text, e->n < IL_CHARSET_MOST ? e->n : IL_CHARSET_MOST);
     return s->charset ? IL_OK : il_fail_nomem(err);
 }
 

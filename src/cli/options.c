@@ -139,7 +139,7 @@ static il_status parse_count(const char *value, size_t least, size_t most, size_
 {
     size_t n = 0;
     const char *s = value;
-    for (; *s >= '0' && *s <= '9' && n <= most; s++)
+    for (; *s >= '0' && *s <= '9' && n <= most / 10; s++)
         n = 10 * n + (size_t)(*s - '0');
     if (*s || s == value || n < least || n > most)
         return il_fail(err, IL_E_USAGE, 0, "%s takes a whole number from %zu to %zu, not '%.40s'", option, least, most, value);
@@ -443,7 +443,7 @@ static const il_option *find_letter(char letter)
 
 static il_status apply(il_options *o, const il_option *p, const char *value, bool on, il_error *err)
 {
-    o->given |= 1ul << (p - il_option_table);
+    o->given |= UINT64_C(1) << (p - il_option_table);
     return p->set(o, value, on, err);
 }
 

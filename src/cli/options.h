@@ -13,6 +13,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 typedef enum il_verb {
     IL_VERB_CONVERT, IL_VERB_READ, IL_VERB_MATCH, IL_VERB_MESH, IL_VERB_INFO, IL_VERB_CHECK, IL_VERB_PLOT,
@@ -55,7 +56,7 @@ typedef struct il_options {
     bool keep_lattices;
     int threads;
     il_when progress;
-    unsigned long given;        /* bit k: row k of il_option_table was given */
+    uint64_t given;             /* bit k: row k of il_option_table was given */
 } il_options;
 
 void il_options_init(il_options *o);

@@ -123,17 +123,22 @@ static il_status find_views(emission *e, const il_rt_roi *roi, size_t n, il_erro
 
 /* ---- slices -------------------------------------------------------------------------- */
 
-static int compare_xor(const void *a, const void *b)
+static int compare_points(const il_rt_contour *c, const il_rt_contour *d)
 {
-    const il_rt_contour *c = *(il_rt_contour *const *)a, *d = *(il_rt_contour *const *)b;
-    if (c->is_xor != d->is_xor)
-        return c->is_xor ? -1 : 1;
     if (c->n != d->n)
         return c->n < d->n ? -1 : 1;
     for (size_t k = 0; k < 2 * c->n; k++)
         if (c->p[k] != d->p[k])
             return c->p[k] < d->p[k] ? -1 : 1;
     return 0;
+}
+
+/* Equal ones in their order in the file: both are of one array. */
+static int compare_contours(const void *a, const void *b)
+{
+    const il_rt_contour *c = *(il_rt_contour *const *)a, *d = *(il_rt_contour *const *)b;
+    int order = compare_points(c, d);
+    return order != 0 ? order : (c > d) - (c < d);
 }
 
 /* What is covered twice by XOR is not covered: of equal contours of that type
@@ -153,9 +158,9 @@ static il_status cancel_xor_pairs(emission *e, il_rt_roi *r, il_rt_layout layout
     for (size_t i = 0; i < n; i++)
         if (r->contour[l[i].contour].is_xor && r->contour[l[i].contour].layout == layout)
             c[many++] = &r->contour[l[i].contour];
-    qsort(c, many, sizeof *c, compare_xor);
+    qsort(c, many, sizeof *c, compare_contours);
     for (size_t i = 1; i < many; i++) {
-        if (compare_xor(&c[i - 1], &c[i]) != 0)
+        if (compare_points(c[i - 1], c[i]) != 0)
             continue;
         il_rt_contour_free(c[i - 1]);
         il_rt_contour_free(c[i]);
@@ -208,13 +213,7 @@ static il_status emit_slice(emission *e, il_rt_roi *r, const il_rt_plane *plane,
 /* The ROI's words under the names that DICOM has for them. */
 static bool add_attribute(il_stack_head *h, const char *key, const char *value)
 {
-    if (!value)
-        return true;
-    if (!il_grow(&h->attribute, &h->cap_attributes, h->n_attributes + 1, sizeof *h->attribute))
-        return false;
-    il_attribute a = { il_strndup(key, strlen(key)), il_strndup(value, strlen(value)) };
-    h->attribute[h->n_attributes++] = a;
-    return a.key && a.value;
+    return !value || il_stack_head_add_attribute(h, key, value);
 }
 
 static il_status fill_head(const emission *e, const il_rt_roi *r, const il_rt_plane *plane, il_stack_head *h, il_error *err)

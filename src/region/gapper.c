@@ -83,7 +83,7 @@ static void drop_empty(gapper *g)
         if (dropped || n == 0)
             drop_pair(l);
         if (dropped && gap && n > 0) {
-            l->below.gap = true;
+            il_pair_make_gap(&l->below);
             l->has_pair = true;
         }
         g->level[n++] = *l;
@@ -291,7 +291,7 @@ static il_status send_level(gapper *g, size_t k, double t, il_error *err)
 
 static il_status send(gapper *g, il_error *err)
 {
-    il_spacing spacing;
+    il_spacing spacing = IL_SPACING_INIT;
     bool guessed;
     if (g->options.drop_empty)
         drop_empty(g);

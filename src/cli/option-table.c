@@ -1,0 +1,408 @@
+/* option-table.c - what options there are, and what each does to il_options. */
+#include "config.h"
+#include "cli/options.h"
+#include "base/alloc.h"
+#include "base/number.h"
+
+#include <string.h>
+
+static const char *const verb_names[IL_N_VERBS] = { "convert", "read", "match", "mesh", "info", "check", "plot" };
+
+const char *il_verb_name(il_verb v)
+{
+    return verb_names[v];
+}
+
+/* ---- one setter an option ------------------------------------------------ */
+
+static il_status set_from(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    o->from = il_reader_named(value);
+    return o->from ? IL_OK
+        : il_fail(err, IL_E_USAGE, 0, "no input format is called '%.40s' (--formats lists them)", value);
+}
+
+static il_status set_to(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    o->to = il_writer_named(value);
+    return o->to ? IL_OK
+        : il_fail(err, IL_E_USAGE, 0, "no output format is called '%.40s' (--formats lists them)", value);
+}
+
+static il_status set_path(const char **path, const char *value, const char *option, il_error *err)
+{
+    if (!*value)
+        return il_fail(err, IL_E_USAGE, 0, "%s is given an empty name", option);
+    *path = value;
+    return IL_OK;
+}
+
+static il_status set_output(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return set_path(&o->output, value, "--output", err);
+}
+
+static il_status set_pairs(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return set_path(&o->pairs, value, "--pairs", err);
+}
+
+static il_status add_pattern(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    if (!il_grow(&o->pattern, &o->cap_patterns, o->n_patterns + 1, sizeof *o->pattern))
+        return il_fail_nomem(err);
+    o->pattern[o->n_patterns++] = value;
+    return IL_OK;
+}
+
+static il_status set_list(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->list = on;
+    return IL_OK;
+}
+
+static il_status set_ras(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->ras = on;
+    return IL_OK;
+}
+
+static il_status set_json(il_options *o, const char *value, bool on, il_error *err)
+{
+    o->json = on;
+    o->json_path = NULL;
+    return value ? set_path(&o->json_path, value, "--json", err) : IL_OK;
+}
+
+static il_status parse_unit(const char *value, il_unit *u, il_error *err)
+{
+    return il_unit_parse(value, strlen(value), u) ? IL_OK
+        : il_fail(err, IL_E_USAGE, 0, "'%.40s' is no unit (um mm cm m km in ft deg)", value);
+}
+
+static il_status set_unit(il_options *o, const char *value, bool on, il_error *err)
+{
+    o->read.has_unit = on;
+    return parse_unit(value, &o->read.unit, err);
+}
+
+static il_status set_to_unit(il_options *o, const char *value, bool on, il_error *err)
+{
+    o->convert_unit = on;
+    il_status st = parse_unit(value, &o->to_unit, err);
+    if (st == IL_OK && !(il_unit_metres(o->to_unit) > 0))
+        st = il_fail(err, IL_E_USAGE, 0, "--to needs a unit of length, not '%.40s'", value);
+    return st;
+}
+
+static il_status parse_length(const char *value, double *length, const char *option, il_error *err)
+{
+    size_t n = strlen(value);
+    if (n > 0 && il_number_parse(value, n, length) == n && *length > 0 && *length < 1e15)
+        return IL_OK;
+    return il_fail(err, IL_E_USAGE, 0, "%s takes a number above 0, not '%.40s'", option, value);
+}
+
+static il_status set_spacing(il_options *o, const char *value, bool on, il_error *err)
+{
+    o->read.has_spacing = on;
+    return parse_length(value, &o->read.spacing, "--spacing", err);
+}
+
+static il_status set_flatness(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return parse_length(value, &o->read.flatness, "--flatness", err);
+}
+
+static il_status set_flip(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->read.no_flip = !on;
+    return IL_OK;
+}
+
+/* Digits only, from LEAST to MOST. */
+static il_status parse_count(const char *value, size_t least, size_t most, size_t *count, const char *option, il_error *err)
+{
+    size_t n = 0;
+    const char *s = value;
+    for (; *s >= '0' && *s <= '9' && n <= most / 10; s++)
+        n = 10 * n + (size_t)(*s - '0');
+    if (*s || s == value || n < least || n > most)
+        return il_fail(err, IL_E_USAGE, 0, "%s takes a whole number from %zu to %zu, not '%.40s'", option, least, most, value);
+    *count = n;
+    return IL_OK;
+}
+
+enum { LIMIT_MOST = 2000000000 };
+
+static il_status set_max_line(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return parse_count(value, 1, LIMIT_MOST, &o->read.max_line, "--max-line", err);
+}
+
+static il_status set_max_depth(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return parse_count(value, 1, LIMIT_MOST, &o->read.max_depth, "--max-depth", err);
+}
+
+static il_status set_max_points(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return parse_count(value, 1, LIMIT_MOST, &o->read.max_points, "--max-points", err);
+}
+
+static il_status set_keyhole(il_options *o, const char *value, bool on, il_error *err)
+{
+    size_t n = on ? strlen(value) : 0;
+    o->has_keyhole = true;
+    o->keyhole = 0;
+    if (!on || (n > 0 && il_number_parse(value, n, &o->keyhole) == n && o->keyhole >= 0 && o->keyhole < 1e15))
+        return IL_OK;
+    return il_fail(err, IL_E_USAGE, 0, "--keyhole takes a number from 0 on, not '%.40s'", value);
+}
+
+static il_status set_cap(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    if (strcmp(value, "flat") != 0 && strcmp(value, "dome") != 0)
+        return il_fail(err, IL_E_USAGE, 0, "--cap is flat or dome, not '%.40s'", value);
+    o->cap = strcmp(value, "dome") == 0 ? IL_CAP_DOME : IL_CAP_FLAT;
+    return IL_OK;
+}
+
+static il_status set_gap(il_options *o, const char *value, bool on, il_error *err)
+{
+    static const char *const words[] = { [IL_GAPS_BRIDGE] = "bridge", [IL_GAPS_CAP] = "cap", [IL_GAPS_FAIL] = "fail" };
+    (void)on;
+    for (int k = IL_GAPS_BRIDGE; k <= IL_GAPS_FAIL; k++) {
+        if (strcmp(value, words[k]) == 0) {
+            o->gap = (il_gap_mode)k;
+            return IL_OK;
+        }
+    }
+    return il_fail(err, IL_E_USAGE, 0, "--gap is bridge, cap or fail, not '%.40s'", value);
+}
+
+static il_status set_thickness(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return parse_length(value, &o->thickness, "--thickness", err);
+}
+
+static il_status set_groups(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    if (strcmp(value, "stack") != 0 && strcmp(value, "slab") != 0)
+        return il_fail(err, IL_E_USAGE, 0, "--groups is stack or slab, not '%.40s'", value);
+    o->groups_by_slab = strcmp(value, "slab") == 0;
+    return IL_OK;
+}
+
+static il_status set_matcher(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    bool ffd = strcmp(value, "ffd") == 0;
+    if (!ffd && strcmp(value, "none") != 0)
+        return il_fail(err, IL_E_USAGE, 0, "no matcher is called '%.40s' (there are: ffd, none)", value);
+    o->matcher = ffd ? IL_MATCHER_FFD : IL_MATCHER_NONE;
+    return IL_OK;
+}
+
+static il_status set_lattice(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->keep_lattices = on;
+    return IL_OK;
+}
+
+static const char two_pictures[] = "--slices and --pair are two pictures: give one of them";
+
+static il_status set_slices(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    if (on && o->picture.what == IL_PICTURE_PAIR)
+        return il_fail(err, IL_E_USAGE, 0, two_pictures);
+    if (on || o->picture.what == IL_PICTURE_SLICES)
+        o->picture.what = on ? IL_PICTURE_SLICES : IL_PICTURE_AUTO;
+    return IL_OK;
+}
+
+static il_status set_pair(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    if (o->picture.what == IL_PICTURE_SLICES)
+        return il_fail(err, IL_E_USAGE, 0, two_pictures);
+    o->picture.what = IL_PICTURE_PAIR;
+    return parse_count(value, 0, LIMIT_MOST, &o->picture.pair, "--pair", err);
+}
+
+static il_status set_threads(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    size_t n = 0;
+    il_status st = parse_count(value, 1, IL_THREADS_MOST, &n, "--threads", err);
+    o->threads = (int)n;
+    return st;
+}
+
+static il_status set_progress(il_options *o, const char *value, bool on, il_error *err)
+{
+    static const char *const words[] = { "auto", "always", "never" };
+    if (!value) {
+        o->progress = on ? IL_WHEN_ALWAYS : IL_WHEN_NEVER;
+        return IL_OK;
+    }
+    for (int k = 0; k < 3; k++) {
+        if (strcmp(value, words[k]) == 0) {
+            o->progress = (il_when)k;
+            return IL_OK;
+        }
+    }
+    return il_fail(err, IL_E_USAGE, 0, "--progress is auto, always or never, not '%.40s'", value);
+}
+
+static il_status set_strict(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->strict = on;
+    return IL_OK;
+}
+
+static il_status set_quiet(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->quiet = on;
+    return IL_OK;
+}
+
+static il_status set_verbose(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->verbose = on;
+    return IL_OK;
+}
+
+static il_status set_formats(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)on;
+    (void)err;
+    o->action = IL_ACTION_FORMATS;
+    return IL_OK;
+}
+
+static il_status set_help(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)on;
+    (void)err;
+    o->action = IL_ACTION_HELP;
+    return IL_OK;
+}
+
+static il_status set_version(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)on;
+    (void)err;
+    o->action = IL_ACTION_VERSION;
+    return IL_OK;
+}
+
+/* ---- the table ----------------------------------------------------------- */
+
+enum {
+    CONVERT = 1 << IL_VERB_CONVERT, READ = 1 << IL_VERB_READ, MATCH = 1 << IL_VERB_MATCH,
+    MESH = 1 << IL_VERB_MESH, INFO = 1 << IL_VERB_INFO, CHECK = 1 << IL_VERB_CHECK,
+    PLOT = 1 << IL_VERB_PLOT,
+    READERS = CONVERT | READ | INFO, WRITERS = CONVERT | READ | MATCH | MESH,
+    LOFTERS = CONVERT | MESH | INFO, STREAMS = WRITERS | INFO, ALL = STREAMS | CHECK | PLOT
+};
+
+const il_option il_option_table[] = {
+    { 'o', "output", "FILE", IL_OPTION_VALUE, WRITERS | PLOT,
+      "write FILE, or DIR/ with one file a stack", "write FILE; DIR/: one file a stack; -: stdout", set_output },
+    { 't', "output-format", "FORMAT", IL_OPTION_VALUE, WRITERS,
+      "output format; else by the extension, or stl", "output format; else by the extension, or stl", set_to },
+    { 'f', "input-format", "FORMAT", IL_OPTION_VALUE, STREAMS | PLOT,
+      "input format; else by the first bytes", "input format; else by the first bytes", set_from },
+    { 0, "pairs", "FILE", IL_OPTION_VALUE, CONVERT | MESH,
+      "also write contours and correspondences", "also write contours and correspondences", set_pairs },
+    { 0, "pair", "K", IL_OPTION_VALUE, PLOT,
+      NULL, "draw the pair above slice K, from 0", set_pair },
+    { 0, "slices", NULL, IL_OPTION_SWITCH, PLOT,
+      NULL, "draw all slices side by side", set_slices },
+    { 0, "list", NULL, IL_OPTION_SWITCH, READERS,
+      "a table of what is in the input; no mesh", "a table of what is in the input; no mesh", set_list },
+    { 0, "roi", "PATTERN", IL_OPTION_VALUE, STREAMS | PLOT,
+      "only names that match; '!PATTERN': not those", "only names that match; '!PATTERN': not those", add_pattern },
+    { 0, "stack", "PATTERN", IL_OPTION_VALUE, STREAMS | PLOT,
+      NULL, "the same as --roi", add_pattern },
+    { 0, "ras", NULL, IL_OPTION_SWITCH, CONVERT | READ,
+      NULL, "structure sets: coordinates RAS instead of LPS", set_ras },
+    { 0, "unit", "U", IL_OPTION_VALUE, READERS,
+      "what the input's numbers mean: um mm ... in ft",
+      "what the input's numbers mean: um mm ... ft deg", set_unit },
+    { 0, "to", "U", IL_OPTION_VALUE, STREAMS | PLOT,
+      "convert lengths to unit U", "convert lengths to unit U", set_to_unit },
+    { 0, "spacing", "D", IL_OPTION_VALUE, READERS,
+      "distance of slices that state no height", "distance of slices that state no height", set_spacing },
+    { 0, "flip", NULL, IL_OPTION_SWITCH, READERS,
+      NULL, "SVG: y points down and is turned up (default)", set_flip },
+    { 0, "flatness", "D", IL_OPTION_VALUE, READERS,
+      NULL, "distance of a flattened curve from the true one", set_flatness },
+    { 0, "keyhole", "D", IL_OPTION_VALUE_OR_NO, READERS,
+      NULL, "how far the sides of a keyhole are apart; 0: off", set_keyhole },
+    { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
+      "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
+    { 0, "gap", "bridge|cap|fail", IL_OPTION_VALUE, STREAMS,
+      NULL, "what missing slices leave: joined or closed", set_gap },
+    { 0, "thickness", "T", IL_OPTION_VALUE, STREAMS,
+      NULL, "of single slices, input's unit; else a spacing", set_thickness },
+    { 0, "matcher", "ffd|none", IL_OPTION_VALUE, LOFTERS | MATCH,
+      NULL, "how slices are matched: deformed, or as they lie", set_matcher },
+    { 0, "lattice", NULL, IL_OPTION_SWITCH, CONVERT | MATCH | MESH,
+      NULL, "pair records hold the lattices too, for plots", set_lattice },
+    { 0, "groups", "stack|slab", IL_OPTION_VALUE, CONVERT | MESH,
+      NULL, "OBJ: a group for each stack (default) or slab", set_groups },
+    { 0, "strict", NULL, IL_OPTION_SWITCH, STREAMS,
+      "fail (3) where input was repaired or skipped", "fail (3) where input was repaired or skipped", set_strict },
+    { 0, "max-line", "BYTES", IL_OPTION_VALUE, READERS | MATCH | MESH | CHECK | PLOT,
+      NULL, "longest line that is read (default: 67108864)", set_max_line },
+    { 0, "max-depth", "N", IL_OPTION_VALUE, READERS,
+      NULL, "deepest nesting that is read (default: 1000)", set_max_depth },
+    { 0, "max-points", "N", IL_OPTION_VALUE, READERS | MATCH | MESH | CHECK | PLOT,
+      NULL, "most vertices in one stack (default: 500000000)", set_max_points },
+    { 0, "threads", "N", IL_OPTION_VALUE, ALL,
+      "default: all processors; same bytes for any", "default: all processors; same bytes for any", set_threads },
+    { 0, "json", "FILE", IL_OPTION_MAYBE, ALL,
+      "account of the run, to FILE or stderr", "account of the run: FILE, or last on stderr", set_json },
+    { 0, "progress", "WHEN", IL_OPTION_MAYBE, ALL,
+      NULL, "auto (on a terminal), always, never", set_progress },
+    { 'q', "quiet", NULL, IL_OPTION_SWITCH, ALL,
+      NULL, "errors only", set_quiet },
+    { 'v', "verbose", NULL, IL_OPTION_SWITCH, ALL,
+      "say more; -q, --quiet: errors only", "say more", set_verbose },
+    { 0, "formats", NULL, IL_OPTION_ACTION, ALL, NULL, "list the formats", set_formats },
+    { 'h', "help", NULL, IL_OPTION_ACTION, ALL, NULL, "this text", set_help },
+    { 0, "version", NULL, IL_OPTION_ACTION, ALL, NULL, "the version", set_version },
+    { 0, NULL, NULL, IL_OPTION_ACTION, 0, NULL, NULL, NULL }
+};

@@ -2,6 +2,7 @@
  * the road of each line to what takes it. */
 #include "config.h"
 #include "input/native.h"
+#include "base/alloc.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -64,7 +65,8 @@ static const il_native_keyword stream_keywords[] = {
 static const il_native_keyword *find_keyword(const char *word, size_t n)
 {
     static const il_native_keyword *const tables[] = {
-        il_native_slice_keywords, il_native_pair_keywords, il_native_stack_keywords, stream_keywords };
+        il_native_slice_keywords, il_native_pair_keywords, il_native_group_keywords, il_native_stack_keywords,
+        stream_keywords };
     for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
         for (const il_native_keyword *k = tables[t]; k->word; k++)
             if (strlen(k->word) == n && memcmp(k->word, word, n) == 0)
@@ -248,6 +250,18 @@ static il_status read_stream(il_native *n)
     return st;
 }
 
+/* All but the lines. */
+static void free_state(il_native *n)
+{
+    il_stack_head_free(&n->head);
+    il_slice_free(&n->slice);
+    il_pair_free(&n->pair);
+    il_free(n->lower.vertices);
+    il_free(n->lower.group);
+    il_free(n->upper.vertices);
+    il_free(n->upper.group);
+}
+
 static il_status read_source(il_source *source, const il_read_options *options,
                              il_sink *sink, il_report *report, il_error *err)
 {
@@ -256,7 +270,7 @@ static il_status read_source(il_source *source, const il_read_options *options,
     il_status st = read_stream(&n);
     if (st == IL_E_INPUT)
         il_error_set_file(err, il_source_name(source));
-    il_native_free(&n);
+    free_state(&n);
     il_lines_free(&n.lines);
     return st;
 }

@@ -66,7 +66,8 @@ typedef struct il_native_keyword {
 } il_native_keyword;
 
 /* Null-terminated tables. */
-extern const il_native_keyword il_native_stack_keywords[], il_native_slice_keywords[], il_native_pair_keywords[];
+extern const il_native_keyword il_native_stack_keywords[], il_native_slice_keywords[], il_native_pair_keywords[],
+    il_native_group_keywords[];
 
 /* Rows of numbers, and what is to be done when a record closes. */
 il_status il_native_take_vertex(il_native *n);
@@ -83,11 +84,19 @@ il_status il_native_close_group(il_native *n);
 il_status il_native_close_pair(il_native *n);
 il_status il_native_close_gap(il_native *n);
 
-/* Free what the state holds, but for the lines. */
-void il_native_free(il_native *n);
+/* What the lines of a pair have in common.  The first one is its matcher, on which
+ * the others rely; that of WORD has a meaning for ffd alone. */
+il_status il_native_need_matcher(il_native *n);
+il_status il_native_need_ffd(il_native *n, const char *word);
+il_status il_native_count_row(il_native *n);    /* rows are held until the record ends */
+il_status il_native_ring_exists(il_native *n, const il_native_shape *s, uint32_t ring);
+il_status il_native_take_distance(il_native *n, double *v);
 
 /* IL_E_INPUT at the current line, and IL_E_NOMEM. */
 #define il_native_fail(n, ...) il_fail((n)->err, IL_E_INPUT, (n)->at.line, __VA_ARGS__)
 il_status il_native_nomem(il_native *n);
+
+/* What is found out when a record closes is said of the line that began it. */
+#define il_native_fail_at(n, line, ...) il_fail((n)->err, IL_E_INPUT, (line), __VA_ARGS__)
 
 #endif

@@ -72,8 +72,12 @@ static il_status place(il_solids_sink *s, il_error *err)
     size_t where = 0;
     for (size_t i = 0; st == IL_OK && i < o->n_vertices; i++)
         il_stack_head_place(&s->head, o->xyz + 3 * i, to + 3 * i);
-    if (st == IL_OK && s->head.has_frame && !il_frame_is_exact(s->head.frame))
-        st = il_mesh_settle(o->xyz, to, o->n_vertices, o->triangle, o->n_triangles, false, &where, err);
+    if (st == IL_OK && s->head.has_frame && !il_frame_is_exact(s->head.frame)) {
+        il_error why = IL_ERROR_INIT;
+        st = il_mesh_settle(o->xyz, to, o->n_vertices, o->triangle, o->n_triangles, false, &where, &why);
+        if (st != IL_OK)
+            il_fail(err, st, s->head.line, "stack '%.80s': %s", il_stack_head_name(&s->head), why.text);
+    }
     il_free(st == IL_OK ? o->xyz : to);
     if (st == IL_OK)
         o->xyz = to;

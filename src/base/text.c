@@ -25,6 +25,16 @@ size_t il_utf8_char(const char *s, size_t n, unsigned long *code)
     return len;
 }
 
+size_t il_utf8_encode(char to[4], unsigned long code)
+{
+    static const unsigned char lead[] = { 0, 0, 0xC0, 0xE0, 0xF0 };
+    size_t n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+    for (size_t i = n - 1; i > 0; i--, code >>= 6)
+        to[i] = (char)(unsigned char)(0x80 | (code & 0x3F));
+    to[0] = (char)(unsigned char)(lead[n] | code);
+    return n;
+}
+
 bool il_utf8_valid(const char *s, size_t n)
 {
     for (size_t i = 0; i < n;) {
@@ -69,6 +79,20 @@ size_t il_text_printable(char *to, size_t size, const char *s, size_t n)
     if (size > 0)
         to[used] = '\0';
     return used;
+}
+
+bool il_text_begins(const char *s, size_t n, const char *with)
+{
+    size_t len = strlen(with);
+    return n >= len && memcmp(s, with, len) == 0;
+}
+
+bool il_text_contains(const char *s, size_t n, const char *what)
+{
+    for (size_t i = 0; i < n; i++)
+        if (il_text_begins(s + i, n - i, what))
+            return true;
+    return false;
 }
 
 int il_hex_digit(char c)

@@ -1,4 +1,4 @@
-/* text.h - bytes from files made fit to be shown. */
+/* text.h - bytes from files: what they are as UTF-8, and made fit to be shown. */
 #ifndef IL_BASE_TEXT_H
 #define IL_BASE_TEXT_H
 
@@ -16,7 +16,14 @@ size_t il_text_printable(char *to, size_t size, const char *s, size_t n);
  * not null, gets the code point. */
 size_t il_utf8_char(const char *s, size_t n, unsigned long *code);
 
+/* CODE, up to U+10FFFF, as UTF-8 at TO; its length in bytes. */
+size_t il_utf8_encode(char to[4], unsigned long code);
+
 bool il_utf8_valid(const char *s, size_t n);
+
+/* Do the N bytes at S begin with the text WITH, and do they contain the text WHAT? */
+bool il_text_begins(const char *s, size_t n, const char *with);
+bool il_text_contains(const char *s, size_t n, const char *what);
 
 /* The value of the hexadecimal digit C, in either case; -1 when it is none. */
 int il_hex_digit(char c);

@@ -170,7 +170,8 @@ static void fail_record(il_account *a, il_status st, const il_error *err)
 }
 
 /* What a stage behind the tap answered.  A stack that has no surface, is not as
- * strict asks, or has not what is asked of it (a pair to draw), is told and dropped where the others shall go on. */
+ * strict asks, or has not what is asked of it (a pair to draw), is told and
+ * dropped where the others shall go on. */
 static il_status settle(il_account *a, il_status st, il_error *err)
 {
     if (st == IL_OK)

@@ -37,7 +37,9 @@ il_status il_command_put_account(const il_options *o, bool to_stdout, const il_r
     return il_command_put_json(o, to_stdout, write_account, r, v, err);
 }
 
-void il_command_tell(const il_result *r, il_voice *v, il_error *err)
+/* Say what the user has to know of a run.  An error that ended it stands alone,
+ * on one line, unless V is verbose; *ERR is clear then. */
+static void tell(const il_result *r, il_voice *v, il_error *err)
 {
     bool failed = err->code != IL_OK;
     if (!failed || v->verbose)
@@ -51,7 +53,7 @@ il_status il_command_run_plan(const il_options *o, const il_plan *plan, il_voice
 {
     il_result result;
     il_status st = il_pipeline_run(&result, o, plan, v, err);
-    il_command_tell(&result, v, err);
+    tell(&result, v, err);
     il_status json = il_command_put_account(o, false, &result, v, st == IL_E_NOMEM ? NULL : err);
     il_account_free(&result.account);
     return st == IL_OK ? json : st;

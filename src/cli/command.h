@@ -27,10 +27,6 @@ il_status il_command_survey(const il_options *o, const il_plan *plan, il_summary
 /* For the five that write: run PLAN and say what there is to say of it. */
 il_status il_command_run_plan(const il_options *o, const il_plan *plan, il_voice *v, il_error *err);
 
-/* Say what the user has to know of a run.  An error that ended it stands alone,
- * on one line, unless V is verbose; *ERR is clear then. */
-void il_command_tell(const il_result *r, il_voice *v, il_error *err);
-
 /* What --json asks for: WRITE's text about SELF to the file named, or to
  * standard output when TO_STDOUT and none is, else as the last line on standard
  * error.  Nothing without --json. */

@@ -81,6 +81,12 @@ static il_status find_reader(pipeline *p, il_error *err)
         }
         p->reader = r;
     }
+    return IL_OK;
+}
+
+/* Is it one for what is to be done? */
+static il_status check_reader(const pipeline *p, il_error *err)
+{
     if (p->options->ras && !p->reader->is_patient) {
         il_fail(err, IL_E_USAGE, 0, "is %s; --ras is for DICOM structure sets, whose coordinates are LPS", p->reader->name);
         il_error_set_file(err, il_source_name(p->source[0]));
@@ -290,6 +296,8 @@ static il_status run(pipeline *p, il_error *err)
     il_status st = open_sources(p, err);
     if (st == IL_OK)
         st = find_reader(p, err);
+    if (st == IL_OK)
+        st = check_reader(p, err);
     if (st == IL_OK)
         st = open_outputs(p, err);
     /* A native stream without stacks is whole, and is handed on as one. */

@@ -162,20 +162,10 @@ static bool put(decoder *d, const char *s, size_t n)
     return true;
 }
 
-/* For code points below 10000 (hexadecimal). */
 static bool put_code(decoder *d, unsigned code)
 {
-    char s[3];
-    size_t n = 0;
-    if (code < 0x80) {
-        s[n++] = (char)code;
-    } else {
-        s[n++] = (char)(code < 0x800 ? 0xC0 | code >> 6 : 0xE0 | code >> 12);
-        if (code >= 0x800)
-            s[n++] = (char)(0x80 | (code >> 6 & 0x3F));
-        s[n++] = (char)(0x80 | (code & 0x3F));
-    }
-    return put(d, s, n);
+    char s[4];
+    return put(d, s, il_utf8_encode(s, code));
 }
 
 static bool put_bad(decoder *d)

@@ -12,13 +12,10 @@
 #include <stdio.h>
 #include <string.h>
 
-enum {
-    TAG_LENGTH = 11,                            /* (gggg,eeee) */
-    TAG_DATA = (int)IL_TAG(0x3006, 0x0050)
-};
+enum { TAG_LENGTH = 11 }; /* (gggg,eeee) */
 
-static const uint32_t TAG_ITEM = IL_TAG(0xfffe, 0xe000), TAG_ITEM_END = IL_TAG(0xfffe, 0xe00d),
-                      TAG_SEQUENCE_END = IL_TAG(0xfffe, 0xe0dd);
+static const uint32_t TAG_DATA = IL_TAG(0x3006, 0x0050), TAG_ITEM = IL_TAG(0xfffe, 0xe000),
+                      TAG_ITEM_END = IL_TAG(0xfffe, 0xe00d), TAG_SEQUENCE_END = IL_TAG(0xfffe, 0xe0dd);
 
 /* value: the lines of a value that contains line ends, put together again. */
 typedef struct dump {
@@ -129,8 +126,7 @@ static bool parse_element(element_line *e, const char *s, size_t n, long line)
 
 static bool starts(const element_line *e, const char *with)
 {
-    size_t n = strlen(with);
-    return e->n >= n && memcmp(e->value, with, n) == 0;
+    return il_text_begins(e->value, e->n, with);
 }
 
 /* ---- elements ------------------------------------------------------------------------ */
@@ -239,22 +235,17 @@ static il_status begin_dataset(dump *d)
     return il_rt_set_begin_dataset(d->set, d->lines.line, d->err);
 }
 
-static bool is_comment(const char *s, size_t n, const char *with)
-{
-    return n >= strlen(with) && memcmp(s, with, strlen(with)) == 0;
-}
-
 /* A line that is no element: dcmdump's headings, and its warnings when they were
  * led into the same file. */
 static il_status take_heading(dump *d, const char *s, size_t n)
 {
-    if (is_comment(s, n, "# Dicom-File-Format") || is_comment(s, n, "# Dicom-Meta-Information-Header"))
+    if (il_text_begins(s, n, "# Dicom-File-Format") || il_text_begins(s, n, "# Dicom-Meta-Information-Header"))
         return end_dataset(d);
-    if (is_comment(s, n, "# Dicom-Data-Set")) {
+    if (il_text_begins(s, n, "# Dicom-Data-Set")) {
         il_status st = end_dataset(d);
         return st == IL_OK ? begin_dataset(d) : st;
     }
-    if (skip_blanks(s, n, 0) == n || s[0] == '#' || is_comment(s, n, "W: "))
+    if (skip_blanks(s, n, 0) == n || s[0] == '#' || il_text_begins(s, n, "W: "))
         return IL_OK;
     return il_fail(d->err, IL_E_INPUT, d->lines.line, "no line that dcmdump writes: '%.*s'", (int)(n < 60 ? n : 60), s);
 }
@@ -309,7 +300,7 @@ static bool probe(const unsigned char *head, size_t n)
     size_t i = 0;
     while (i < n && (s[i] == '\n' || s[i] == '\r' || s[i] == ' '))
         i++;
-    return is_comment(s + i, n - i, "# Dicom-") || is_comment(s + i, n - i, "# dcmdump") || parse_tag(s + i, n - i, &tag);
+    return il_text_begins(s + i, n - i, "# Dicom-") || il_text_begins(s + i, n - i, "# dcmdump") || parse_tag(s + i, n - i, &tag);
 }
 
 const il_reader il_reader_dcmdump = {

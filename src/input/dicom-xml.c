@@ -209,9 +209,6 @@ static il_status start_in_item(parser *p, const il_xml_element *e, kind *k, il_e
     case KIND_ELEMENT:   return begin_element(p, e, err);
     case KIND_SEQUENCE:
         st = take_tag(e, &tag, err);
-        p->tag = tag;
-        p->line = e->line;
-        p->is_wanted = false;
         return st == IL_OK ? il_rt_set_begin_sequence(p->set, tag, e->line, err) : st;
     case KIND_ITEM:
         return p->level > 0 ? il_rt_set_begin_item(p->set, e->line, err) : IL_OK;

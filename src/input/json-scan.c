@@ -227,17 +227,6 @@ static long unicode_escape(const char *s, size_t n)
     return code;
 }
 
-/* CODE as UTF-8 at TO; its length. */
-static size_t encode(char *to, unsigned long code)
-{
-    size_t n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
-    static const unsigned char lead[] = { 0, 0, 0xc0, 0xe0, 0xf0 };
-    for (size_t i = n - 1; i > 0; i--, code >>= 6)
-        to[i] = (char)(unsigned char)(0x80 | (code & 0x3f));
-    to[0] = (char)(unsigned char)(lead[n] | code);
-    return n;
-}
-
 /* The character of the escape at S[0..N) to *CODE, for the halves of a surrogate
  * pair both of them; half a pair alone is U+FFFD.  Its length, 0 for no escape. */
 static size_t parse_escape(const char *s, size_t n, unsigned long *code)
@@ -274,7 +263,7 @@ static il_status unescape(char *s, size_t *n, long line, il_error *err)
         if (used == 0)
             return il_fail(err, IL_E_INPUT, line, "'%.*s' is no escape in JSON", (int)(left < 6 ? left : 6), from);
         from += used;
-        to += encode(to, code);
+        to += il_utf8_encode(to, code);
     }
     *n = (size_t)(to - s);
     return IL_OK;

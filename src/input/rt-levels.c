@@ -1,21 +1,15 @@
 #include "config.h"
 #include "input/rt-levels.h"
+#include "base/sort.h"
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 
 /* mm; slices nearer than this to one another are not drawn on patients. */
 static const double JITTER_MOST = 0.05;
 
 /* Planes nearer than this share of the spacing are one slice. */
 static const double SLICE_SHARE = 0.1;
-
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* Are the clumps that distances up to JITTER make no wider than WIDEST? */
 static bool are_clumps(const double *level, size_t n, double jitter, double widest)
@@ -51,7 +45,7 @@ double il_rt_levels_spacing(const double *level, size_t n, double *scratch)
     for (size_t i = 1; i < n; i++)
         if (level[i] > level[i - 1])
             scratch[m++] = level[i] - level[i - 1];
-    qsort(scratch, m, sizeof *scratch, compare_doubles);
+    il_sort_doubles(scratch, m);
     size_t first = first_real(scratch, m, level, n), left = m - first;
     if (left == 0)
         return 0;

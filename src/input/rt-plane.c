@@ -136,6 +136,7 @@ il_rt_plane il_rt_plane_fit(const il_rt_contour *contour, size_t n, double flat)
     double trace = m[0][0] + m[1][1] + m[2][2];
     if (!(trace > 0) || !isfinite(trace))
         return plane_across_axis(2);
+    /* At a thousandth a contour of 200 mm is 0.2 mm thick: what is flat all the same. */
     size_t nearest = dominant_direction(m, c);
     size_t one = (nearest + 1) % 3, other = (nearest + 2) % 3;
     return hypot(c[one], c[other]) < 1e-3 ? plane_across_axis(nearest) : plane_across(c, nearest);

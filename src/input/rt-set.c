@@ -531,29 +531,12 @@ il_status il_rt_set_end_dataset(il_rt_set *s, long line, il_error *err)
 
 /* ---- the set -------------------------------------------------------------------------- */
 
-il_status il_rt_set_new(il_rt_set **out, const char *file, const il_read_options *options,
-                        il_sink *sink, il_report *report, il_error *err)
+static void free_set(il_rt_set *s)
 {
-    il_rt_set *s = il_calloc(1, sizeof *s);
-    *out = s;
-    if (!s)
-        return il_fail_nomem(err);
-    s->file = file;
-    s->options = options;
-    s->sink = sink;
-    s->report = report;
-    return IL_OK;
-}
-
-void il_rt_set_free(il_rt_set *s)
-{
-    if (!s)
-        return;
     forget_dataset(s);
     il_free(s->roi);
     il_free(s->place);
     il_free(s->xyz);
-    il_free(s);
 }
 
 il_status il_rt_read(il_rt_parse *parse, il_source *const *source, size_t n, const il_read_options *options,
@@ -561,13 +544,12 @@ il_status il_rt_read(il_rt_parse *parse, il_source *const *source, size_t n, con
 {
     il_status st = IL_OK;
     for (size_t i = 0; st == IL_OK && i < n; i++) {
-        il_rt_set *set = NULL;
-        st = il_rt_set_new(&set, il_source_name(source[i]), options, sink, report, err);
-        if (st == IL_OK)
-            st = parse(source[i], set, options, err);
+        il_rt_set set = { .file = il_source_name(source[i]), .options = options, .sink = sink, .report = report,
+                          .item.report = IL_REPORT_INIT };
+        st = parse(source[i], &set, options, err);
         if (st == IL_E_INPUT)
-            il_error_set_file(err, il_source_name(source[i]));
-        il_rt_set_free(set);
+            il_error_set_file(err, set.file);
+        free_set(&set);
     }
     return st == IL_OK ? sink->end(sink, err) : st;
 }

@@ -20,12 +20,6 @@
 
 typedef struct il_rt_set il_rt_set;
 
-/* Stacks go to SINK; what is skipped goes to REPORT with FILE's name.  All are
- * borrowed.  IL_E_NOMEM. */
-il_status il_rt_set_new(il_rt_set **out, const char *file, const il_read_options *options,
-                        il_sink *sink, il_report *report, il_error *err);
-void il_rt_set_free(il_rt_set *s); /* null is fine */
-
 /* LINE is where it stands in the file, for errors.  IL_E_INPUT when the brackets
  * do not match, or are deeper than the options allow; IL_E_NOMEM. */
 il_status il_rt_set_begin_dataset(il_rt_set *s, long line, il_error *err);

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "input/rt-stacks.h"
 #include "base/alloc.h"
+#include "base/sort.h"
 #include "input/rt-levels.h"
 #include "input/rt-plane.h"
 
@@ -48,12 +49,6 @@ static int compare_lies(const void *a, const void *b)
     if (p->level != q->level)
         return p->level < q->level ? -1 : 1;
     return p->contour < q->contour ? -1 : p->contour > q->contour;
-}
-
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 /* ---- planes and spacing ------------------------------------------------------------ */
@@ -114,7 +109,7 @@ static il_status find_views(emission *e, const il_rt_roi *roi, size_t n, il_erro
             spacing[many++] = e->view[k].spacing;
     }
     if (st == IL_OK && many > 0) {
-        qsort(spacing, many, sizeof *spacing, compare_doubles);
+        il_sort_doubles(spacing, many);
         e->usual = spacing[many / 2];
     }
     il_free(spacing);

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "input/xml-feed.h"
 #include "base/alloc.h"
+#include "base/text.h"
 
 #include <string.h>
 
@@ -141,20 +142,6 @@ static size_t doctype_end(il_xml_feed *f, const char *s, size_t n)
 
 /* ---- tokens -------------------------------------------------------------------- */
 
-static bool starts(const char *s, size_t n, const char *with)
-{
-    size_t len = strlen(with);
-    return n >= len && memcmp(s, with, len) == 0;
-}
-
-static bool contains(const char *s, size_t n, const char *what)
-{
-    for (size_t i = 0; i < n; i++)
-        if (starts(s + i, n - i, what))
-            return true;
-    return false;
-}
-
 static long count_lines(const char *s, size_t n)
 {
     long lines = 0;
@@ -195,7 +182,7 @@ static const markup *markup_at(const char *s, size_t n)
     const markup *m = markups, *tag = markups + sizeof markups / sizeof *markups - 1;
     if (n > 1 && s[1] != '!' && s[1] != '?') /* nearly all */
         return tag;
-    while (!starts(s, n, m->begin))
+    while (!il_text_begins(s, n, m->begin))
         m++;
     return m;
 }
@@ -207,7 +194,7 @@ static il_status check_markup(const il_xml_feed *f, const markup *m, const char 
         return il_fail(err, IL_E_INPUT, line, "'<' inside a tag");
     if (m->end == tag_end && f->n_attributes > IL_XML_MAX_ATTRIBUTES)
         return il_fail(err, IL_E_INPUT, f->line, "a tag with more than %d attributes", IL_XML_MAX_ATTRIBUTES);
-    if (m->end == doctype_end && contains(s, n, "<!ENTITY"))
+    if (m->end == doctype_end && il_text_contains(s, n, "<!ENTITY"))
         return il_fail(err, IL_E_INPUT, f->line, "the document type declares entities, which are not taken: remove it");
     return IL_OK;
 }
@@ -228,7 +215,7 @@ static il_status next_markup(il_xml_feed *f, il_xml_token *t, il_error *err)
         s = unread(f, &n);
     }
     st = check_markup(f, m, s, length, err);
-    bool declares = f->at_start && m->end == instruction_end && starts(s, length, "<?xml") &&
+    bool declares = f->at_start && m->end == instruction_end && il_text_begins(s, length, "<?xml") &&
                     length > 5 && il_xml_is_blank(s[5]);
     if (st == IL_OK)
         take(f, t, declares ? IL_XML_TOKEN_DECLARATION : m->kind, length);
@@ -271,9 +258,9 @@ static il_status begin(il_xml_feed *f, il_error *err)
     if (st != IL_OK)
         return st;
     const char *s = unread(f, &n);
-    if (starts(s, n, "\xEF\xBB\xBF"))
+    if (il_text_begins(s, n, "\xEF\xBB\xBF"))
         f->begin += 3;
-    else if (n >= 2 && (starts(s, n, "\xFE\xFF") || starts(s, n, "\xFF\xFE") || s[0] == '\0' || s[1] == '\0'))
+    else if (n >= 2 && (il_text_begins(s, n, "\xFE\xFF") || il_text_begins(s, n, "\xFF\xFE") || s[0] == '\0' || s[1] == '\0'))
         return il_fail(err, IL_E_INPUT, 1, "UTF-16 or binary data; XML is read as UTF-8");
     return IL_OK;
 }

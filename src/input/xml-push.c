@@ -1,6 +1,7 @@
 #include "config.h"
 #include "input/xml-push.h"
 #include "base/alloc.h"
+#include "base/text.h"
 
 #include <libxml/parser.h>
 #include <libxml/xmlerror.h>
@@ -220,15 +221,6 @@ static void push_token(driver *d, bool *opened)
         stop(d, il_fail(d->err, IL_E_INPUT, t->line, "not well-formed: bytes that the encoding does not have"));
 }
 
-static bool contains(const char *s, size_t n, const char *what)
-{
-    size_t len = strlen(what);
-    for (size_t i = 0; i + len <= n; i++)
-        if (memcmp(s + i, what, len) == 0)
-            return true;
-    return false;
-}
-
 static il_status read_tokens(driver *d)
 {
     bool opened = false;
@@ -239,7 +231,7 @@ static il_status read_tokens(driver *d)
         if (d->token.kind == IL_XML_TOKEN_END)
             break;
         if (d->token.kind == IL_XML_TOKEN_DECLARATION)
-            d->has_encoding = contains(d->token.s, d->token.n, "encoding");
+            d->has_encoding = il_text_contains(d->token.s, d->token.n, "encoding");
         stop(d, check_outside(d));
         push_token(d, &opened);
     }
@@ -291,22 +283,16 @@ static size_t find(const char *s, size_t n, size_t from, const char *mark)
     return n;
 }
 
-static bool has_at(const char *s, size_t n, size_t i, const char *mark)
-{
-    size_t len = strlen(mark);
-    return n - i >= len && memcmp(s + i, mark, len) == 0;
-}
-
 /* Behind any byte order mark, declaration, comments and white space. */
 static size_t skip_prolog(const char *s, size_t n)
 {
-    size_t i = has_at(s, n, 0, "\xEF\xBB\xBF") ? 3 : 0;
+    size_t i = il_text_begins(s, n, "\xEF\xBB\xBF") ? 3 : 0;
     for (;;) {
         while (i < n && il_xml_is_blank(s[i]))
             i++;
-        if (has_at(s, n, i, "<?"))
+        if (il_text_begins(s + i, n - i, "<?"))
             i = find(s, n, i, "?>");
-        else if (has_at(s, n, i, "<!--"))
+        else if (il_text_begins(s + i, n - i, "<!--"))
             i = find(s, n, i + 4, "-->");
         else
             return i;
@@ -317,7 +303,7 @@ const char *il_xml_first_name(const char *head, size_t n, size_t *n_name, bool *
 {
     static const char type[] = "<!DOCTYPE";
     size_t i = skip_prolog(head, n);
-    *is_type = has_at(head, n, i, type);
+    *is_type = il_text_begins(head + i, n - i, type);
     i += *is_type ? sizeof type - 1 : i < n && head[i] == '<' ? 1 : n - i;
     while (*is_type && i < n && il_xml_is_blank(head[i]))
         i++;

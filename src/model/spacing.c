@@ -1,14 +1,7 @@
 #include "config.h"
 #include "model/spacing.h"
 #include "base/alloc.h"
-
-#include <stdlib.h>
-
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
+#include "base/sort.h"
 
 il_status il_spacing_measure(il_spacing *out, const double *z, size_t n, il_error *err)
 {
@@ -20,7 +13,7 @@ il_status il_spacing_measure(il_spacing *out, const double *z, size_t n, il_erro
         return il_fail_nomem(err);
     for (size_t k = 0; k < n - 1; k++)
         d[k] = z[k + 1] - z[k];
-    qsort(d, n - 1, sizeof *d, compare_doubles);
+    il_sort_doubles(d, n - 1);
     *out = (il_spacing){ d[0], d[(n - 2) / 2], d[n - 2] };
     il_free(d);
     return IL_OK;

@@ -13,7 +13,9 @@ typedef struct il_spacing { double least, usual, largest; } il_spacing;
 
 #define IL_SPACING_INIT { 0, 0, 0 }
 
-/* Beyond this many usual spacings two neighbouring slices have a gap. */
+/* Beyond this many usual spacings two neighbouring slices have a gap: one slice
+ * that is left out makes 2 and none, two make 3, and spacings may be uneven by
+ * half of one on either side. */
 #define IL_GAP_SPACINGS 2.5
 
 /* Measure the heights z[N], rising.  Of an even number of distances the median is

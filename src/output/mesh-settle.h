@@ -20,8 +20,9 @@ bool il_frame_is_exact(const double frame[12]);
  * XYZ are equal, a triangle has no area, two triangles of tri[3*n_triangles]
  * meet in more than they share, or a component is turned inside out, their
  * vertices are put on other places of the grid of last digits beside theirs, at
- * random but always alike, until nothing of that kind is left.  Such a vertex lies within STEPS digits of its place,
- * a digit being the last one of the largest coordinate.
+ * random but always alike, until nothing of that kind is left.  Such a vertex
+ * lies within STEPS digits of its place, a digit being the last one of the
+ * largest coordinate.
  *
  * IL_E_SURFACE when that fails, *PLACE being one of the vertices then;
  * IL_E_INPUT when a coordinate is beyond what floats hold; IL_E_NOMEM.  Takes

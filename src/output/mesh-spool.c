@@ -116,7 +116,8 @@ static void abandon(il_mesh_sink *self)
 
 /* ---- the end of a stack whose frame rounds ------------------------------------ */
 
-/* vertex[], tri[]: of the stack, n_placed and n_tri of them so far. */
+/* vertex[n], xyz[3*n], tri[3*n_tri]: of the stack, as far as they are gathered;
+ * to[3*n]: the vertices placed by its frame. */
 typedef struct settler {
     const il_stack_head *head;
     il_spooled_vertex *vertex;

@@ -223,14 +223,14 @@ static il_status parse_numbers(il_rt_set *s, const element *e, size_t *n, il_err
 static il_status take_data(il_rt_set *s, const element *e, il_error *err)
 {
     size_t n = 0;
-    il_rt_contour_free(&s->contour);
     if (s->item.fault)
         return IL_OK;
+    il_rt_contour_free(&s->contour);
+    s->contour.line = e->line;
     il_status st = parse_numbers(s, e, &n, err);
     if (st != IL_OK || s->item.fault)
         return st;
     s->has_data = n > 0;
-    s->contour.line = e->line;
     if (n % 3 != 0)
         return il_rt_roi_fail(&s->item, e->line, err, "the contour data has %zu values, which is no multiple of 3", n);
     return il_rt_contour_from_points(&s->contour, s->xyz, n / 3, err);
@@ -318,11 +318,11 @@ static il_status end_contour(il_rt_set *s, il_error *err)
     bool is_closed = !s->kind || is_xor || strcmp(s->kind, "CLOSED_PLANAR") == 0;
     char what[80];
     s->contour.is_xor = is_xor;
-    if (s->item.fault) {
-        /* the ROI is refused as a whole, and nothing is skipped of it */
-    } else if (!is_closed) {
+    if (!is_closed) {
         snprintf(what, sizeof what, "%.40s contour", s->kind);
         il_report_skip(&s->item.report, s->file, s->contour.line, what, "it bounds no area: CLOSED_PLANAR does");
+    } else if (s->item.fault) {
+        /* its data is damaged or was not looked at: the ROI is refused as a whole */
     } else if (!s->has_data) {
         il_report_skip(&s->item.report, s->file, s->contour.line, "contour", "it has no points");
     } else if (s->contour.n < 3) {

@@ -24,6 +24,12 @@ result $? "the installed program runs"
 [ -n "$(find "$root" -path '*/man1/isoloft.1')" ] && [ -n "$(find "$root" -path '*/man5/isoloft.5')" ]
 result $? "both manual pages are installed"
 
+for file in $(sed -n 's/^\.Pa \([a-z.]*\.\(txt\|schema\.json\)\)$/\1/p' "$srcdir/man/isoloft.1" "$srcdir/man/isoloft.5"); do
+    [ -n "$(find "$root" -path "*/doc/isoloft/$file")" ] || echo "$file is not installed"
+done >log
+[ ! -s log ]
+result $? "so is what they name"
+
 found=$(find "$root" -name '*.h' | sed 's/.*\///')
 [ "$found" = isoloft.h ]
 result $? "isoloft.h is the only header installed"

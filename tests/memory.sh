@@ -1,5 +1,6 @@
 # memory.sh - every allocation failing in turn, and memory that does not run away.
 . "$srcdir/tests/tap.sh"
+. "$srcdir/tests/rt-forms.sh"
 
 block small >block.loft
 "$ISOLOFT" block.loft -t ply >block.ply
@@ -57,6 +58,14 @@ starve() { # SENTENCE COMMAND...: writes to box/
 starve "convert survives every failing allocation" "$ISOLOFT" block.loft -o box/b.stl
 starve "so does SVG, with pairs and a dome" "$ISOLOFT" small.svg --cap dome -o box/b.ply --pairs box/p.loft
 starve "so do gaps and slices that stand alone" "$ISOLOFT" broken.loft --gap cap --cap dome -o box/b.ply --pairs box/p.loft
+for form in $forms; do
+    small_set | set_as $form >set.$form
+    starve "so do structure sets: a keyhole, a gap and a slice alone, in the form of $form" "$ISOLOFT" set.$form -o box/b.ply
+done
+starve "so does a folder of them" "$ISOLOFT" set.dcmdump -o box/ -t stl
+starve "so do their coordinates as RAS" "$ISOLOFT" set.json --ras -o box/b.obj
+starve "so does --list" "$ISOLOFT" --list set.xml
+starve "so does info of them" "$ISOLOFT" info set.dcmdump
 starve "so does read" "$ISOLOFT" read small.svg -o box/b.loft
 starve "so does match" "$ISOLOFT" match block.loft -o box/b.loft
 starve "so does mesh" "$ISOLOFT" mesh block.loft -o box/b.obj --to in

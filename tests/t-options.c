@@ -9,11 +9,13 @@
 static il_status parse(il_options *o, const char *words, char *buf, size_t size, il_error *err)
 {
     static char program[] = "isoloft";
-    char *argv[32] = { program };
+    char *argv[64] = { program };
     int argc = 1;
     snprintf(buf, size, "%s", words);
-    for (char *w = strtok(buf, " "); w; w = strtok(NULL, " "))
+    for (char *w = strtok(buf, " "); w; w = strtok(NULL, " ")) {
+        assert_true((size_t)argc < sizeof argv / sizeof *argv);
         argv[argc++] = w;
+    }
     il_options_init(o);
     *err = (il_error)IL_ERROR_INIT;
     return il_options_parse(o, argc, argv, err);

@@ -106,6 +106,12 @@ if [ -f "$builddir/config.h" ] && ! sanitized; then
     pillar 3000 4 >once.loft
     pillar 6000 4 >twice.loft
     doubles "twice the slices of four vertices: less than 2.3 times" 230 "$ISOLOFT" -t stl
+
+    # points far denser than keyholes are wide lie beside one another all along
+    pillar 2 40000 >dense.loft
+    peak() { "$ISOLOFT" read -t loft "$@" dense.loft -o dense.out --json=dense.json && sed 's/.*"peak_bytes":\([0-9]*\).*/\1/' dense.json; }
+    a=$(peak --no-keyhole) b=$(peak --keyhole 0.05)
+    holds "reading and searching them for keyholes takes at most three times the memory of reading" test "${b:-0}" -le $((3 * a))
 else
     skip "twice the input, at most 2.3 times the memory" "sanitizers keep memory of their own"
 fi

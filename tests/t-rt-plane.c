@@ -197,6 +197,22 @@ static void jitter_is_no_spacing_even_where_it_is_the_rule(void **state)
     assert_true(spacing_of(plane, 3) == 0);
 }
 
+static void two_contours_a_slice_may_lie_a_tenth_of_the_spacing_apart(void **state)
+{
+    (void)state;
+    const double twos[] = { 0, 0.2, 2.5, 2.62, 5, 5.05, 7.4, 7.6 }, wide[] = { 0, 0.3, 2.5, 2.8, 5, 5.3 };
+    assert_true(fabs(spacing_of(twos, 8) - 2.35) < 1e-9);
+    assert_true(fabs(spacing_of(wide, 6) - 0.3) < 1e-9);
+}
+
+static void slices_that_are_mostly_missing_are_not_merged(void **state)
+{
+    (void)state;
+    const double level[] = { 0, 30, 60, 63, 66, 69, 99, 129 };
+    assert_true(spacing_of(level, 8) == 30);
+    assert_int_equal(il_rt_levels_slice(level, 8, 2, 30), 3);
+}
+
 static void fine_slices_and_gaps_are_no_jitter(void **state)
 {
     (void)state;
@@ -236,6 +252,8 @@ int main(void)
         cmocka_unit_test(contours_without_area_are_axial),
         cmocka_unit_test(spacing_is_the_median_distance),
         cmocka_unit_test(jitter_is_no_spacing_even_where_it_is_the_rule),
+        cmocka_unit_test(two_contours_a_slice_may_lie_a_tenth_of_the_spacing_apart),
+        cmocka_unit_test(slices_that_are_mostly_missing_are_not_merged),
         cmocka_unit_test(fine_slices_and_gaps_are_no_jitter),
         cmocka_unit_test(a_slice_is_a_tenth_of_the_spacing_high),
         cmocka_unit_test(the_height_is_the_commonest),

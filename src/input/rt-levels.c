@@ -5,11 +5,13 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* mm; slices nearer than this to one another are not drawn on patients. */
-static const double JITTER_MOST = 0.05;
+/* mm; slices nearer than JITTER_MOST to one another are not drawn on patients, and
+ * those nearer than PAIRS_MOST not in twos and threes. */
+static const double JITTER_MOST = 0.05, PAIRS_MOST = 0.25;
 
-/* Planes nearer than this share of the spacing are one slice. */
-static const double SLICE_SHARE = 0.1;
+/* Planes nearer than this share of the spacing are one slice; not above so many mm,
+ * which are slices of their own where the spacing is large because most are missing. */
+static const double SLICE_SHARE = 0.1, SLICE_MOST = 1;
 
 /* Are the clumps that distances up to JITTER make no wider than WIDEST? */
 static bool are_clumps(const double *level, size_t n, double jitter, double widest)
@@ -24,18 +26,23 @@ static bool are_clumps(const double *level, size_t n, double jitter, double wide
     return true;
 }
 
+/* Are the least K of the distances D[0..M), rising, jitter? */
+static bool is_jitter(const double *d, size_t m, size_t k, const double *level, size_t n)
+{
+    bool few = k <= 2 * (m - k + 1); /* in clumps of three in the mean */
+    return d[k - 1] <= (few ? PAIRS_MOST : JITTER_MOST) && d[k] * SLICE_SHARE >= d[k - 1] &&
+           are_clumps(level, n, d[k - 1], SLICE_SHARE * d[k]);
+}
+
 /* The first of the distances D[0..M), rising, that is no jitter.  Distances grow
  * tenfold at most 300 times, so that is how often the levels are looked through. */
 static size_t first_real(const double *d, size_t m, const double *level, size_t n)
 {
-    size_t jitters = m;
-    while (jitters > 0 && d[jitters - 1] > JITTER_MOST)
-        jitters--;
-    if (jitters == m && m > 0 && level[n - 1] - level[0] <= 2 * JITTER_MOST)
+    if (m > 0 && d[m - 1] <= JITTER_MOST && level[n - 1] - level[0] <= 2 * JITTER_MOST)
         return m; /* one plane */
-    for (size_t k = jitters; k > 0; k--)
-        if (k < m && d[k] * SLICE_SHARE >= d[k - 1] && are_clumps(level, n, d[k - 1], SLICE_SHARE * d[k]))
-            return k;
+    for (size_t k = m; k > 1; k--)
+        if (is_jitter(d, m, k - 1, level, n))
+            return k - 1;
     return 0;
 }
 
@@ -56,7 +63,7 @@ double il_rt_levels_spacing(const double *level, size_t n, double *scratch)
 size_t il_rt_levels_slice(const double *level, size_t n, size_t begin, double spacing)
 {
     size_t end = begin + 1;
-    while (end < n && level[end] - level[begin] <= SLICE_SHARE * spacing)
+    while (end < n && level[end] - level[begin] <= fmin(SLICE_SHARE * spacing, SLICE_MOST))
         end++;
     return end;
 }

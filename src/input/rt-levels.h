@@ -7,14 +7,15 @@
 /* How far apart the slices usually are, mm: the median of the distances of
  * neighbouring levels LEVEL[0..N), rising, without those that are no more than
  * jitter.  Planning systems write the heights of one plane a few micrometres,
- * or a decimal, apart.  Distances are jitter when they are at most 0.05 mm, ten
- * times less than all others, and group the levels into clumps not wider than a
- * tenth of any other.  With one clump there is no spacing: 0.
+ * or a decimal, apart.  Distances are jitter when they are ten times less
+ * than all others, group the levels into clumps not wider than a tenth of any
+ * other, and are at most 0.05 mm, or 0.25 mm where the clumps have no more than
+ * three levels in the mean.  With one clump there is no spacing: 0.
  * SCRATCH[n] is overwritten. */
 double il_rt_levels_spacing(const double *level, size_t n, double *scratch);
 
 /* The end of the slice that begins with LEVEL[BEGIN]: all levels up to a tenth
- * of SPACING higher belong to it. */
+ * of SPACING, and not more than 1 mm, higher belong to it. */
 size_t il_rt_levels_slice(const double *level, size_t n, size_t begin, double spacing);
 
 /* The height of a slice of the N levels: the commonest, the middle one of

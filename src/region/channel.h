@@ -50,7 +50,8 @@ typedef struct il_channel {
  * at once is a vertex on one side that lies beside a vertex or an edge of the
  * other; between two states the distance is linear on both, so never above the
  * larger end (the criterion of Alt & Godau 1995 for the Frechet distance, taken
- * greedily).  O(n log n), and linear in the pairs of edges within the tolerance;
+ * greedily).  Only those with 20 tolerances of the outline or more between their
+ * sides at either end are certain to be found.  O(n log n), and linear in the pairs of edges within the tolerance;
  * where these are more than 64 a vertex no channel can be told: *N is 0 then.
  * IL_E_NOMEM. */
 il_status il_channels_find(const il_outline *o, double tolerance, il_channel **channel, size_t *n, il_error *err);

@@ -165,14 +165,6 @@ static il_status join_lines(dump *d, element_line *e)
     return IL_OK;
 }
 
-static size_t count_values(const char *s, size_t n)
-{
-    size_t many = n > 0;
-    for (size_t i = 0; i < n; i++)
-        many += s[i] == '\\';
-    return many;
-}
-
 /* Give the set a value it wants, which must be there in full. */
 static il_status take_value(dump *d, const element_line *e)
 {
@@ -190,9 +182,9 @@ static il_status take_value(dump *d, const element_line *e)
         s++;
         n -= 2;
     }
-    if (e->tag == TAG_DATA && count_values(s, n) != e->vm)
+    if (e->tag == TAG_DATA && il_rt_count_values(s, n) != e->vm)
         return il_fail(d->err, IL_E_INPUT, e->line, "the contour data shows %zu of its %zu values: make the text with dcmdump +L",
-                       count_values(s, n), e->vm);
+                       il_rt_count_values(s, n), e->vm);
     return il_rt_set_element(d->set, e->tag, s, n, false, e->line, d->err);
 }
 

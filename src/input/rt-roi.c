@@ -27,25 +27,28 @@ static il_rt_layout layout_of(const double *xyz, size_t n)
     return IL_RT_OBLIQUE;
 }
 
-il_status il_rt_contour_from_points(il_rt_contour *c, const double *xyz, size_t n, il_error *err)
+/* Pairs are made of the triples where they are: no pair lies behind its triple. */
+static void drop_axis(il_rt_contour *c, size_t k)
 {
-    c->layout = layout_of(xyz, n);
-    size_t k = (size_t)c->layout, width = c->layout == IL_RT_OBLIQUE ? 3 : 2;
-    c->p = il_alloc(n, width * sizeof *c->p);
-    if (!c->p)
-        return il_fail_nomem(err);
+    double *p = c->p;
+    c->level = p[k];
+    for (size_t i = 0; i < c->n; i++) {
+        double a = p[3 * i + (k + 1) % 3], b = p[3 * i + (k + 2) % 3];
+        p[2 * i] = a;
+        p[2 * i + 1] = b;
+    }
+    double *shrunk = il_realloc(p, c->n, 2 * sizeof *p);
+    c->p = shrunk ? shrunk : p;
+}
+
+void il_rt_contour_take_points(il_rt_contour *c, double **xyz, size_t n)
+{
+    c->p = *xyz;
     c->n = n;
-    if (c->layout == IL_RT_OBLIQUE) {
-        memcpy(c->p, xyz, 3 * n * sizeof *xyz);
-        return IL_OK;
-    }
-    c->level = n > 0 ? xyz[k] : 0;
-    size_t a = (k + 1) % 3, b = (k + 2) % 3;
-    for (size_t i = 0; i < n; i++) {
-        c->p[2 * i] = xyz[3 * i + a];
-        c->p[2 * i + 1] = xyz[3 * i + b];
-    }
-    return IL_OK;
+    c->layout = layout_of(*xyz, n);
+    *xyz = NULL;
+    if (c->layout != IL_RT_OBLIQUE)
+        drop_axis(c, (size_t)c->layout);
 }
 
 void il_rt_contour_point(const il_rt_contour *c, size_t i, double xyz[3])

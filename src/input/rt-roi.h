@@ -26,8 +26,8 @@ typedef struct il_rt_contour {
 
 void il_rt_contour_free(il_rt_contour *c);
 
-/* C, which is empty, from the N points at XYZ; IL_E_NOMEM. */
-il_status il_rt_contour_from_points(il_rt_contour *c, const double *xyz, size_t n, il_error *err);
+/* C, which is empty, takes over the N points at *XYZ, which is null then. */
+void il_rt_contour_take_points(il_rt_contour *c, double **xyz, size_t n);
 
 /* Point I of C in patient coordinates. */
 void il_rt_contour_point(const il_rt_contour *c, size_t i, double xyz[3]);

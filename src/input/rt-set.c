@@ -52,7 +52,6 @@ struct il_rt_set {
     char *kind;                 /* of the contour at hand: CLOSED_PLANAR, ... */
     bool has_data, has_count;
     size_t n_points;            /* that the file states for it */
-    double *xyz;                size_t cap_xyz; /* of the value at hand */
 };
 
 /* ---- texts and numbers --------------------------------------------------------- */
@@ -193,47 +192,66 @@ static il_status take_count(il_rt_set *s, const element *e, il_error *err)
     return IL_OK;
 }
 
-/* The numbers of a value to s->xyz; *N of them.  One that is no finite number
- * below 1e15 makes the ROI unfit: half a contour is a wrong one. */
-static il_status parse_numbers(il_rt_set *s, const element *e, size_t *n, il_error *err)
+size_t il_rt_count_values(const char *text, size_t n)
+{
+    size_t many = n > 0;
+    for (size_t i = 0; i < n; i++)
+        many += text[i] == '\\';
+    return many;
+}
+
+/* The N numbers of a value to XYZ.  One that is no finite number below 1e15 makes
+ * the ROI unfit: half a contour is a wrong one. */
+static il_status parse_numbers(il_rt_set *s, const element *e, double *xyz, size_t n, il_error *err)
 {
     const char *at = e->text, *end = e->text + e->n;
-    for (*n = 0; at < end || (at == end && *n > 0); (*n)++) {
-        double value = 0;
+    for (size_t i = 0; i < n; i++) {
         while (at < end && *at == ' ')
             at++;
-        size_t used = il_number_parse(at, (size_t)(end - at), &value);
+        size_t used = il_number_parse(at, (size_t)(end - at), &xyz[i]);
         const char *stop = at + used;
         while (stop < end && (*stop == ' ' || *stop == '\0'))
             stop++;
-        if (used == 0 || (stop < end && *stop != '\\') || !(fabs(value) < IL_COORDINATE_BOUND)) {
+        if (used == 0 || (stop < end && *stop != '\\') || !(fabs(xyz[i]) < IL_COORDINATE_BOUND)) {
             const char *next = memchr(at, '\\', (size_t)(end - at));
             size_t length = next ? (size_t)(next - at) : (size_t)(end - at);
             return il_rt_roi_fail(&s->item, e->line, err, "value %zu of the contour data, '%.*s', is no number below 1e15",
-                                  *n + 1, (int)(length < 40 ? length : 40), at);
+                                  i + 1, (int)(length < 40 ? length : 40), at);
         }
-        if (!il_grow(&s->xyz, &s->cap_xyz, *n + 1, sizeof *s->xyz))
-            return il_fail_nomem(err);
-        s->xyz[*n] = value;
-        at = stop + 1;
+        at = stop < end ? stop + 1 : end;
     }
     return IL_OK;
 }
 
+static bool is_xor(const il_rt_set *s)
+{
+    return s->kind && strcmp(s->kind, "CLOSEDPLANAR_XOR") == 0;
+}
+
+static bool is_closed(const il_rt_set *s)
+{
+    return !s->kind || is_xor(s) || strcmp(s->kind, "CLOSED_PLANAR") == 0;
+}
+
+/* Points of what bounds nothing are not looked at. */
 static il_status take_data(il_rt_set *s, const element *e, il_error *err)
 {
-    size_t n = 0;
-    if (s->item.fault)
-        return IL_OK;
+    element data = *e;
+    trim(&data.text, &data.n);
+    size_t n = il_rt_count_values(data.text, data.n);
     il_rt_contour_free(&s->contour);
     s->contour.line = e->line;
-    il_status st = parse_numbers(s, e, &n, err);
-    if (st != IL_OK || s->item.fault)
-        return st;
     s->has_data = n > 0;
+    if (s->item.fault || !is_closed(s) || n == 0)
+        return IL_OK;
     if (n % 3 != 0)
         return il_rt_roi_fail(&s->item, e->line, err, "the contour data has %zu values, which is no multiple of 3", n);
-    return il_rt_contour_from_points(&s->contour, s->xyz, n / 3, err);
+    double *xyz = il_alloc(n, sizeof *xyz);
+    il_status st = xyz ? parse_numbers(s, &data, xyz, n, err) : il_fail_nomem(err);
+    if (st == IL_OK && !s->item.fault)
+        il_rt_contour_take_points(&s->contour, &xyz, n / 3);
+    il_free(xyz);
+    return st;
 }
 
 static const struct wanted {
@@ -314,11 +332,9 @@ static il_status check_points(const il_rt_set *s, const il_rt_roi *r, long line,
 
 static il_status end_contour(il_rt_set *s, il_error *err)
 {
-    bool is_xor = s->kind && strcmp(s->kind, "CLOSEDPLANAR_XOR") == 0;
-    bool is_closed = !s->kind || is_xor || strcmp(s->kind, "CLOSED_PLANAR") == 0;
     char what[80];
-    s->contour.is_xor = is_xor;
-    if (!is_closed) {
+    s->contour.is_xor = is_xor(s);
+    if (!is_closed(s)) {
         snprintf(what, sizeof what, "%.40s contour", s->kind);
         il_report_skip(&s->item.report, s->file, s->contour.line, what, "it bounds no area: CLOSED_PLANAR does");
     } else if (s->item.fault) {
@@ -536,7 +552,6 @@ static void free_set(il_rt_set *s)
     forget_dataset(s);
     il_free(s->roi);
     il_free(s->place);
-    il_free(s->xyz);
 }
 
 il_status il_rt_read(il_rt_parse *parse, il_source *const *source, size_t n, const il_read_options *options,

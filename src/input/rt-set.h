@@ -46,6 +46,10 @@ bool il_rt_set_needs(const il_rt_set *s, uint32_t tag);
 il_status il_rt_set_element(il_rt_set *s, uint32_t tag, const char *text, size_t n, bool is_utf8,
                             long line, il_error *err);
 
+/* How many values the text of an element has: one more than backslashes, none
+ * without bytes. */
+size_t il_rt_count_values(const char *text, size_t n);
+
 /* What the readers of the three forms share: parse every SOURCE by PARSE into
  * one set after the other, then end SINK. */
 typedef il_status il_rt_parse(il_source *source, il_rt_set *set, const il_read_options *options, il_error *err);

@@ -75,7 +75,7 @@ static int compare_cuts(const void *p, const void *q)
     return a->b0 < b->b0 ? -1 : a->b0 > b->b0;
 }
 
-/* Are the edges from vertex FROM to vertex TO free?  Takes them. */
+/* Are the edges from vertex FROM to vertex TO free? */
 static bool edges_free(const bool *taken, size_t n, size_t from, size_t to)
 {
     for (size_t i = from; i != to; i = i + 1 < n ? i + 1 : 0)
@@ -190,7 +190,8 @@ static bool is_dead_end(const loop *l, const cut *c, double tolerance)
 }
 
 /* C[0..N) without those that lead to dead ends: how many are left.  What hangs on
- * a dead end may be one then: so this is repeated. */
+ * a dead end may be one then: so this is repeated, up to ROUNDS times.  No drawing
+ * has so many loops in a row that are all too small; then nothing is cut. */
 static size_t drop_dead_ends(pieces *p, const il_outline *o, cut *c, size_t n, double tolerance)
 {
     enum { ROUNDS = 20 };

@@ -198,6 +198,21 @@ nested 1001 >deep.txt
 exits 3 "one more is not" "$ISOLOFT" --list deep.txt
 exits 0 "but may be allowed" "$ISOLOFT" --list deep.txt --max-depth 1001
 
+# ---- text that Windows wrote ----------------------------------------------------------
+
+sample=$srcdir/formats/dcmdump/valid/v_organ.txt
+{ printf '\357\273\277'; cat "$sample"; } >mark.txt
+for option in "" "-f dcmdump"; do
+    exits 0 "a byte order mark before a dump is dropped $option" "$ISOLOFT" read $option mark.txt
+    holds "and changes nothing $option" cmp out "${sample%.txt}.loft"
+done
+printf '#\000 \000D\000i\000c\000' >wide.txt
+{ printf '\377\376'; cat wide.txt; } >marked.txt
+for file in wide marked; do
+    exits 3 "UTF-16 is told: $file" "$ISOLOFT" $file.txt -o x.stl
+    holds "with what makes text of it: $file" grep -q "$file.txt: is UTF-16, .* iconv -f UTF-16 -t UTF-8" err
+done
+
 # ---- binary files ---------------------------------------------------------------------
 
 { awk 'BEGIN { for (k = 0; k < 128; k++) printf "x" }'; printf 'DICM\002\000\000\000UL\004\000'; } >rs.dcm

@@ -198,6 +198,15 @@ nested 1001 >deep.txt
 exits 3 "one more is not" "$ISOLOFT" --list deep.txt
 exits 0 "but may be allowed" "$ISOLOFT" --list deep.txt --max-depth 1001
 
+# ---- nothing left ---------------------------------------------------------------------
+
+exits 0 "an ROI of points has no surface" "$ISOLOFT" --roi point --roi 'PTV*' --roi 'no item' set.txt -o left.stl
+holds "since nothing is left of it" grep -q "stack 'point': nothing is left of its contours" err
+holds "while another has none" grep -q "stack 'no item': it has no contours" err
+exits 3 "--strict refuses it" "$ISOLOFT" --strict --roi point --roi single --roi 'no item' set.txt --thickness 1 -o strict/
+holds "with its reason" grep -q "stack 'point': 0 repairs and 1 skipped parts, which --strict refuses" err
+exits 0 "but not one that has none" "$ISOLOFT" --strict --roi 'no item' --roi "$latin" set.txt -o strict.stl
+
 # ---- text that Windows wrote ----------------------------------------------------------
 
 sample=$srcdir/formats/dcmdump/valid/v_organ.txt

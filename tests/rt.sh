@@ -198,6 +198,11 @@ nested 1001 >deep.txt
 exits 3 "one more is not" "$ISOLOFT" --list deep.txt
 exits 0 "but may be allowed" "$ISOLOFT" --list deep.txt --max-depth 1001
 
+exits 0 "of several patterns one may match nothing" "$ISOLOFT" read --roi 'PTV*' --roi 'PVT*' --roi '!nix' set.txt
+holds "which is told" grep -q "no name matches 'PVT\*'" err
+holds "also of those that leave out" grep -q "no name matches 'nix'" err
+holds "and not of those that match" sh -c '! grep -q "matches .PTV" err'
+
 # ---- nothing left ---------------------------------------------------------------------
 
 exits 0 "an ROI of points has no surface" "$ISOLOFT" --roi point --roi 'PTV*' --roi 'no item' set.txt -o left.stl

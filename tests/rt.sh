@@ -198,6 +198,35 @@ nested 1001 >deep.txt
 exits 3 "one more is not" "$ISOLOFT" --list deep.txt
 exits 0 "but may be allowed" "$ISOLOFT" --list deep.txt --max-depth 1001
 
+exits 0 "of several patterns one may match nothing" "$ISOLOFT" read --roi 'PTV*' --roi 'PVT*' --roi '!nix' set.txt
+holds "which is told" grep -q "no name matches 'PVT\*'" err
+holds "also of those that leave out" grep -q "no name matches 'nix'" err
+holds "and not of those that match" sh -c '! grep -q "matches .PTV" err'
+
+# ---- nothing left ---------------------------------------------------------------------
+
+exits 0 "an ROI of points has no surface" "$ISOLOFT" --roi point --roi 'PTV*' --roi 'no item' set.txt -o left.stl
+holds "since nothing is left of it" grep -q "stack 'point': nothing is left of its contours" err
+holds "while another has none" grep -q "stack 'no item': it has no contours" err
+exits 3 "--strict refuses it" "$ISOLOFT" --strict --roi point --roi single --roi 'no item' set.txt --thickness 1 -o strict/
+holds "with its reason" grep -q "stack 'point': 0 repairs and 1 skipped parts, which --strict refuses" err
+exits 0 "but not one that has none" "$ISOLOFT" --strict --roi 'no item' --roi "$latin" set.txt -o strict.stl
+
+# ---- text that Windows wrote ----------------------------------------------------------
+
+sample=$srcdir/formats/dcmdump/valid/v_organ.txt
+{ printf '\357\273\277'; cat "$sample"; } >mark.txt
+for option in "" "-f dcmdump"; do
+    exits 0 "a byte order mark before a dump is dropped $option" "$ISOLOFT" read $option mark.txt
+    holds "and changes nothing $option" cmp out "${sample%.txt}.loft"
+done
+printf '#\000 \000D\000i\000c\000' >wide.txt
+{ printf '\377\376'; cat wide.txt; } >marked.txt
+for file in wide marked; do
+    exits 3 "UTF-16 is told: $file" "$ISOLOFT" $file.txt -o x.stl
+    holds "with what makes text of it: $file" grep -q "$file.txt: is UTF-16, .* iconv -f UTF-16 -t UTF-8" err
+done
+
 # ---- binary files ---------------------------------------------------------------------
 
 { awk 'BEGIN { for (k = 0; k < 128; k++) printf "x" }'; printf 'DICM\002\000\000\000UL\004\000'; } >rs.dcm

@@ -185,7 +185,8 @@ static il_status select_from(const char *patterns, counter *c, il_error *err)
     *c = (counter){ { count_begin, count_slice, count_pair, count_end, count_end }, 0, 0, 0 };
     il_sink *s = NULL;
     il_report report = IL_REPORT_INIT;
-    il_status st = il_select_new(&s, pattern, n, &c->sink, &report, err);
+    il_voice voice = { .quiet = true };
+    il_status st = il_select_new(&s, pattern, n, &c->sink, &report, &voice, err);
     for (size_t k = 0; k < n_names && st == IL_OK; k++) {
         il_stack_head head = IL_STACK_HEAD_INIT;
         il_slice slice = IL_SLICE_INIT;

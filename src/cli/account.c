@@ -248,26 +248,29 @@ static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
 }
 
 /* A stack without contours has no surface, and takes none from the others. */
-static void leave_out_empty(il_account *a)
+static il_status leave_out_empty(il_account *a, il_error *err)
 {
-    il_report_note(&a->report, "it has no contours, so there is nothing to write of it");
+    il_status st = check_strict(a, err);
+    if (st == IL_OK)
+        il_report_note(&a->report, il_report_any(&a->report) ? "nothing is left of its contours, so there is nothing to write of it"
+                                                             : "it has no contours, so there is nothing to write of it");
     on_mesh_abandon(&a->meshes);
+    return st;
 }
 
 static il_status on_stack_end(il_sink *self, il_error *err)
 {
     il_account *a = of_contours(self);
+    il_status st = IL_OK;
     if (a->next_mesh && current(a)->points == 0 && !a->skipping) {
-        leave_out_empty(a);
+        st = settle(a, leave_out_empty(a, err), err);
     } else if (!a->skipping) {
-        il_status st = a->next_mesh ? IL_OK : check_strict(a, err);
+        st = a->next_mesh ? IL_OK : check_strict(a, err);
         if (st == IL_OK)
             st = a->next->stack_end(a->next, err);
         st = settle(a, st, err);
-        if (st != IL_OK)
-            return st;
     }
-    return close_record(a, err);
+    return st == IL_OK ? close_record(a, err) : st;
 }
 
 static il_status on_end(il_sink *self, il_error *err)

@@ -234,7 +234,8 @@ static il_status build_select(pipeline *p, il_error *err)
     const il_options *o = p->options;
     if (o->n_patterns == 0)
         return IL_OK;
-    il_status st = il_select_new(&p->select, o->pattern, o->n_patterns, p->first, &p->account->report, err);
+    il_status st = il_select_new(&p->select, o->pattern, o->n_patterns, p->first, &p->account->report,
+                                  p->account->options.voice, err);
     p->first = st == IL_OK ? p->select : p->first;
     return st;
 }

@@ -10,13 +10,16 @@
 /* Names shown when nothing matches, and bytes of each. */
 enum { NAMES_SHOWN = 5, NAME_SHOWN = 40 };
 
-/* shown: the first names that were dropped, printable. */
+/* matched[n_patterns]: whether any name did; shown: the first names that were
+ * dropped, printable. */
 typedef struct select_stage {
     il_sink sink;
     il_sink *next;
     const char *const *pattern;
     size_t n_patterns;
+    bool *matched;
     il_report *report;
+    il_voice *voice;
     bool passing;
     size_t n_passed, n_dropped;
     char shown[NAMES_SHOWN][NAME_SHOWN];
@@ -24,17 +27,18 @@ typedef struct select_stage {
 
 /* ---- names ------------------------------------------------------------------ */
 
-static bool is_taken(const select_stage *s, const char *name)
+static bool is_taken(select_stage *s, const char *name)
 {
-    bool wanted = false, any = false;
+    bool wanted = false, any = false, unwanted = false;
     for (size_t k = 0; k < s->n_patterns; k++) {
         const char *p = s->pattern[k];
-        if (*p == '!' && il_pattern_matches(p + 1, name))
-            return false;
-        any |= *p != '!';
-        wanted |= *p != '!' && il_pattern_matches(p, name);
+        bool negated = *p == '!', matches = il_pattern_matches(p + negated, name);
+        s->matched[k] |= matches;
+        any |= !negated;
+        wanted |= !negated && matches;
+        unwanted |= negated && matches;
     }
-    return wanted || !any;
+    return !unwanted && (wanted || !any);
 }
 
 static void remember(select_stage *s, const char *name)
@@ -93,29 +97,44 @@ static il_status on_stack_end(il_sink *self, il_error *err)
     return IL_OK;
 }
 
+/* One pattern of several may be misspelt, and what it was for be missed late. */
 static il_status on_end(il_sink *self, il_error *err)
 {
     select_stage *s = (select_stage *)self;
-    return s->n_passed == 0 ? fail_none(s, err) : s->next->end(s->next, err);
+    if (s->n_passed == 0)
+        return fail_none(s, err);
+    for (size_t k = 0; k < s->n_patterns; k++)
+        if (!s->matched[k])
+            il_message_note(s->voice, "no name matches '%.60s'", s->pattern[k] + (s->pattern[k][0] == '!'));
+    return s->next->end(s->next, err);
 }
 
 il_status il_select_new(il_sink **out, const char *const *pattern, size_t n, il_sink *next,
-                        il_report *report, il_error *err)
+                        il_report *report, il_voice *voice, il_error *err)
 {
     *out = NULL;
     select_stage *s = il_calloc(1, sizeof *s);
-    if (!s)
+    bool *matched = il_calloc(n, sizeof *matched);
+    if (!s || !matched) {
+        il_free(s);
+        il_free(matched);
         return il_fail_nomem(err);
+    }
     s->sink = (il_sink){ on_stack_begin, on_slice, on_pair, on_stack_end, on_end };
     s->next = next;
     s->pattern = pattern;
     s->n_patterns = n;
+    s->matched = matched;
     s->report = report;
+    s->voice = voice;
     *out = &s->sink;
     return IL_OK;
 }
 
-void il_select_free(il_sink *s)
+void il_select_free(il_sink *sink)
 {
+    select_stage *s = (select_stage *)sink;
+    if (s)
+        il_free(s->matched);
     il_free(s);
 }

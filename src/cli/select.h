@@ -2,6 +2,7 @@
 #ifndef IL_CLI_SELECT_H
 #define IL_CLI_SELECT_H
 
+#include "cli/message.h"
 #include "model/report.h"
 #include "model/sink.h"
 
@@ -10,9 +11,10 @@
  * the shell (borrowed; see cli/pattern.h); one that begins with !
  * chooses what does not match the rest of it.  A stack is taken when one of the
  * plain patterns matches its name, or there is none, and none of those with ! does.
- * IL_E_INPUT at the end, with some of the names there are, when none was taken. */
+ * IL_E_INPUT at the end, with some of the names there are, when none was taken;
+ * else VOICE (borrowed) tells which patterns no name matched. */
 il_status il_select_new(il_sink **out, const char *const *pattern, size_t n, il_sink *next,
-                        il_report *report, il_error *err);
+                        il_report *report, il_voice *voice, il_error *err);
 void il_select_free(il_sink *s); /* null is fine */
 
 #endif

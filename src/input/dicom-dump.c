@@ -14,6 +14,8 @@
 
 enum { TAG_LENGTH = 11 }; /* (gggg,eeee) */
 
+static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* what shells of Windows put in front */
+
 static const uint32_t TAG_DATA = IL_TAG(0x3006, 0x0050), TAG_ITEM = IL_TAG(0xfffe, 0xe000),
                       TAG_ITEM_END = IL_TAG(0xfffe, 0xe00d), TAG_SEQUENCE_END = IL_TAG(0xfffe, 0xe0dd);
 
@@ -110,7 +112,7 @@ static void cut_tail(element_line *e, const char *s, size_t from, size_t n)
 static bool parse_element(element_line *e, const char *s, size_t n, long line)
 {
     size_t i = 0;
-    while (i < n && (s[i] == ' ' || s[i] == '|')) /* +T draws the levels as a tree */
+    while (i < n && (s[i] == ' ' || s[i] == '|'))
         i++;
     *e = (element_line){ .line = line };
     if (!parse_tag(s + i, n - i, &e->tag))
@@ -165,6 +167,14 @@ static il_status join_lines(dump *d, element_line *e)
     return IL_OK;
 }
 
+static size_t count_values(const char *s, size_t n)
+{
+    size_t many = n > 0;
+    for (size_t i = 0; i < n; i++)
+        many += s[i] == '\\';
+    return many;
+}
+
 /* Give the set a value it wants, which must be there in full. */
 static il_status take_value(dump *d, const element_line *e)
 {
@@ -182,9 +192,9 @@ static il_status take_value(dump *d, const element_line *e)
         s++;
         n -= 2;
     }
-    if (e->tag == TAG_DATA && il_rt_count_values(s, n) != e->vm)
+    if (e->tag == TAG_DATA && count_values(s, n) != e->vm)
         return il_fail(d->err, IL_E_INPUT, e->line, "the contour data shows %zu of its %zu values: make the text with dcmdump +L",
-                       il_rt_count_values(s, n), e->vm);
+                       count_values(s, n), e->vm);
     return il_rt_set_element(d->set, e->tag, s, n, false, e->line, d->err);
 }
 
@@ -245,6 +255,9 @@ static il_status take_heading(dump *d, const char *s, size_t n)
 static il_status take_line(dump *d, const char *s, size_t n)
 {
     element_line e;
+    size_t mark = d->lines.line == 1 && il_text_begins(s, n, byte_order_mark) ? strlen(byte_order_mark) : 0;
+    s += mark;
+    n -= mark;
     if (!parse_element(&e, s, n, d->lines.line))
         return take_heading(d, s, n);
     if (e.tag >> 16 == 0x0002)
@@ -289,7 +302,7 @@ static bool probe(const unsigned char *head, size_t n)
 {
     const char *s = (const char *)head;
     uint32_t tag;
-    size_t i = 0;
+    size_t i = il_text_begins(s, n, byte_order_mark) ? strlen(byte_order_mark) : 0;
     while (i < n && (s[i] == '\n' || s[i] == '\r' || s[i] == ' '))
         i++;
     return il_text_begins(s + i, n - i, "# Dicom-") || il_text_begins(s + i, n - i, "# dcmdump") || parse_tag(s + i, n - i, &tag);

@@ -35,6 +35,16 @@ static bool is_binary_dicom(const unsigned char *head, size_t n)
            begins_as_dicom(head, n, 0, 1) || begins_as_dicom(head, n, 1, 0);
 }
 
+/* Text in units of two bytes: it has its byte order mark, or begins with a
+ * character that text of the formats here may begin with. */
+static bool is_utf_16(const unsigned char *head, size_t n)
+{
+    if (n < 2 || memcmp(head, "\xFF\xFE", 2) == 0 || memcmp(head, "\xFE\xFF", 2) == 0)
+        return n >= 2;
+    int zero = head[0] == 0 ? 0 : 1;
+    return head[zero] == 0 && head[1 - zero] != 0 && strchr("#(<{[i\n\r ", head[1 - zero]) != NULL;
+}
+
 /* Only a name that can stand between quotes as it is goes into the command. */
 static il_status fail_binary_dicom(const char *name, il_error *err)
 {
@@ -63,6 +73,9 @@ il_status il_reader_detect(il_source *source, const il_reader **out, il_error *e
         st = il_fail(err, IL_E_INPUT, 0, "the input is empty");
     else if (is_binary_dicom(head, n))
         st = fail_binary_dicom(il_source_name(source), err);
+    else if (is_utf_16(head, n))
+        st = il_fail(err, IL_E_INPUT, 0, "is UTF-16, as shells of Windows write it; "
+                                         "iconv -f UTF-16 -t UTF-8 makes the text that isoloft reads");
     else
         st = il_fail(err, IL_E_INPUT, 1, "not a format that isoloft knows (see isoloft --formats; -f names one)");
     il_error_set_file(err, il_source_name(source));

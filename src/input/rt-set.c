@@ -16,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* Where in the dataset the parser is: each list is a sequence and odd, the place
  * behind it one of its items. */
@@ -223,14 +224,20 @@ static il_status parse_numbers(il_rt_set *s, const element *e, double *xyz, size
     return IL_OK;
 }
 
+/* Code strings are upper case, by the standard; not all programs know. */
+static bool is_kind(const il_rt_set *s, const char *kind)
+{
+    return s->kind && strcasecmp(s->kind, kind) == 0;
+}
+
 static bool is_xor(const il_rt_set *s)
 {
-    return s->kind && strcmp(s->kind, "CLOSEDPLANAR_XOR") == 0;
+    return is_kind(s, "CLOSEDPLANAR_XOR");
 }
 
 static bool is_closed(const il_rt_set *s)
 {
-    return !s->kind || is_xor(s) || strcmp(s->kind, "CLOSED_PLANAR") == 0;
+    return !s->kind || is_xor(s) || is_kind(s, "CLOSED_PLANAR");
 }
 
 /* Points of what bounds nothing are not looked at. */

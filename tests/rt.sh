@@ -121,6 +121,15 @@ else
     skip "in JSON" "no jq"
 fi
 
+# ---- heights that look like one slice ----------------------------------------------
+
+dump_begin
+roi 1 near; for z in 0 2.5 5 5.6 7.5 10; do square $z 10; done
+roi 2 even; for z in 0 2.5 5 7.5 10; do square $z 10 50; done
+dump_end >near.txt
+exits 0 "slices much nearer than usual are lofted" "$ISOLOFT" near.txt -o near.ply
+holds "and told" sh -c '[ "$(grep -c "slices as near as" err)" -eq 1 ] && grep -q "near.: slices as near as 0.6 mm, where 2.5 mm is usual" err'
+
 # ---- coordinates ---------------------------------------------------------------------
 
 vertices() { awk '/^end_header/ { on = 1; next } /^element vertex/ { n = $3 } on && n-- > 0 { print $1, $2, $3 }' "$1"; }

@@ -236,6 +236,20 @@ static void say_gaps(const il_stack_account *s, const char *label, il_voice *v)
     }
 }
 
+/* Slices of a structure set much nearer to one another than usual are heights of
+ * one slice that differ too much for one, more likely than not. */
+static bool has_near_slices(const il_stack_account *s)
+{
+    return s->set_spacing > 0 && s->slices > 2 && s->spacing.least < s->spacing.usual / 3;
+}
+
+static void say_near_slices(const il_stack_account *s, const char *label, il_voice *v)
+{
+    if (has_near_slices(s))
+        il_message_note(v, "%s: slices as near as %.3g %s, where %.3g %s is usual: are they one?", label,
+                        s->spacing.least, il_unit_name(s->unit), s->spacing.usual, il_unit_name(s->unit));
+}
+
 static void say_report(const il_stack_account *s, const char *label, il_voice *v)
 {
     char text[TEXT];
@@ -253,6 +267,7 @@ static void say_report(const il_stack_account *s, const char *label, il_voice *v
     if (r->n_skips > shown)
         il_message_note(v, "skipped: %zu parts in all (-v lists more)", r->n_skipped);
     say_gaps(s, label, v);
+    say_near_slices(s, label, v);
 }
 
 static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
@@ -271,7 +286,7 @@ static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
 
 static bool has_words(const il_stack_account *s)
 {
-    size_t n = s->report.n_notes + s->report.n_skips + s->n_gaps;
+    size_t n = s->report.n_notes + s->report.n_skips + s->n_gaps + has_near_slices(s);
     for (int k = 0; k < IL_N_REPAIRS; k++)
         n += k == IL_REPAIR_ROUNDED_POINT ? 0 : s->report.repair[k];
     return n > 0;

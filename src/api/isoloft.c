@@ -224,15 +224,11 @@ static il_status build_lofter(work *w, bool rounds, il_error *err)
     return il_lofter_new(&w->lofter, &o, &w->tally.sink, err);
 }
 
-/* Structure sets lack slices as a matter of course, see cli/pipeline.c. */
 static il_status build_gapper(work *w, il_error *err)
 {
-    bool is_set = w->reader && w->reader->is_patient;
-    if (!is_set && w->settings.gaps == IL_GAPS_AS_GIVEN && !(w->settings.thickness > 0))
+    il_gap_options g = { .mode = w->settings.gaps, .thickness = w->settings.thickness };
+    if (!il_gap_options_settle(&g, w->reader && w->reader->is_patient))
         return IL_OK;
-    il_gap_options g = { w->settings.gaps, w->settings.thickness, is_set };
-    if (is_set && g.mode == IL_GAPS_AS_GIVEN)
-        g.mode = IL_GAPS_CAP;
     return il_gapper_new(&w->gapper, &g, w->matcher, &w->report, err);
 }
 

@@ -181,17 +181,11 @@ static il_status build_matcher(pipeline *p, il_error *err)
     return st;
 }
 
-/* Structure sets lack slices as a matter of course; what streams one slice at a
- * time goes on doing so unless it is asked for. */
 static il_status build_gapper(pipeline *p, il_error *err)
 {
-    const il_options *o = p->options;
-    bool is_set = p->reader->is_patient;
-    if (p->plan->draw || !(is_set || o->gap != IL_GAPS_AS_GIVEN || o->thickness > 0))
+    il_gap_options g = { .mode = p->options->gap, .thickness = p->options->thickness };
+    if (p->plan->draw || !il_gap_options_settle(&g, p->reader->is_patient))
         return IL_OK;
-    il_gap_options g = { o->gap, o->thickness, is_set };
-    if (is_set && g.mode == IL_GAPS_AS_GIVEN)
-        g.mode = IL_GAPS_CAP;
     il_status st = il_gapper_new(&p->gapper, &g, p->first, &p->account->report, err);
     p->first = st == IL_OK ? p->gapper : p->first;
     return st;

@@ -12,7 +12,8 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { TAG_LENGTH = 11 }; /* (gggg,eeee) */
+static const char TAG_FORM[] = "(xxxx,xxxx)";
+enum { TAG_LENGTH = sizeof TAG_FORM - 1 };
 
 static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* what shells of Windows put in front */
 
@@ -42,21 +43,10 @@ typedef struct element_line {
     long line;
 } element_line;
 
-/* "(gggg,eeee)" at the start of S[0..N). */
+/* A tag at the start of S[0..N). */
 static bool parse_tag(const char *s, size_t n, uint32_t *tag)
 {
-    static const char form[] = "(xxxx,xxxx)";
-    *tag = 0;
-    if (n < TAG_LENGTH)
-        return false;
-    for (size_t i = 0; i < TAG_LENGTH; i++) {
-        int digit = il_hex_digit(s[i]);
-        if (form[i] == 'x' ? digit < 0 : s[i] != form[i])
-            return false;
-        if (form[i] == 'x')
-            *tag = *tag << 4 | (uint32_t)digit;
-    }
-    return true;
+    return n >= TAG_LENGTH && il_rt_parse_tag(s, TAG_LENGTH, TAG_FORM, tag);
 }
 
 static size_t skip_blanks(const char *s, size_t n, size_t i)

@@ -7,7 +7,6 @@
  * at hand, joined by backslashes as in a DICOM file. */
 #include "config.h"
 #include "base/alloc.h"
-#include "base/text.h"
 #include "input/json-scan.h"
 #include "input/rt-set.h"
 
@@ -37,22 +36,8 @@ typedef struct document {
     il_error *err;
 } document;
 
-/* ---- tags ------------------------------------------------------------------------ */
-
-enum { TAG_LENGTH = 8 };
-
-/* S[0..N) is eight hex digits. */
-static bool parse_tag(const char *s, size_t n, uint32_t *tag)
-{
-    *tag = 0;
-    for (size_t i = 0; i < n && i < TAG_LENGTH; i++) {
-        int digit = il_hex_digit(s[i]);
-        if (digit < 0)
-            return false;
-        *tag = *tag << 4 | (uint32_t)digit;
-    }
-    return n == TAG_LENGTH;
-}
+static const char TAG_FORM[] = "xxxxxxxx";
+enum { TAG_LENGTH = sizeof TAG_FORM - 1 };
 
 static element *innermost(const document *d)
 {
@@ -120,7 +105,7 @@ static il_status take_object(document *d, element *e)
     il_status st = next(d, &event);
     if (st != IL_OK)
         return st;
-    if (event == IL_JSON_KEY && !parse_tag(d->json.text, d->json.n, &tag) && !e->is_needed) {
+    if (event == IL_JSON_KEY && !il_rt_parse_tag(d->json.text, d->json.n, TAG_FORM, &tag) && !e->is_needed) {
         while (st == IL_OK && d->json.depth > outside)
             st = next(d, &event);
         return st;
@@ -249,7 +234,7 @@ static il_status take_member(document *d, il_json_event event)
     element e = { .line = j->line };
     if (event == IL_JSON_OBJECT_END)
         return end_of_object(d);
-    if (!parse_tag(j->text, j->n, &e.tag))
+    if (!il_rt_parse_tag(j->text, j->n, TAG_FORM, &e.tag))
         return il_fail(d->err, IL_E_INPUT, j->line, "'%.*s' is no tag: eight hex digits",
                        (int)(j->n < 40 ? j->n : 40), j->text);
     e.is_wanted = il_rt_set_wants(d->set, e.tag);
@@ -339,7 +324,7 @@ static bool probe(const unsigned char *head, size_t n)
     uint32_t tag;
     size_t i = n >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? 3 : 0, list = behind(s, n, i, '[');
     i = behind(s, n, list ? list : i, '{');
-    if (i == 0 || (i = behind(s, n, i, '"')) == 0 || n - i < TAG_LENGTH || !parse_tag(s + i, TAG_LENGTH, &tag))
+    if (i == 0 || (i = behind(s, n, i, '"')) == 0 || n - i < TAG_LENGTH || !il_rt_parse_tag(s + i, TAG_LENGTH, TAG_FORM, &tag))
         return false;
     i += TAG_LENGTH;
     if (i >= n || s[i] != '"')

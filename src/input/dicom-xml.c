@@ -3,7 +3,6 @@
  * by their names alone; the two forms have none in common. */
 #include "config.h"
 #include "base/alloc.h"
-#include "base/text.h"
 #include "input/charset.h"
 #include "input/dicom-quoted.h"
 #include "input/dicom-values.h"
@@ -61,19 +60,10 @@ static kind innermost(const parser *p)
 /* Eight digits, with a comma after four or without. */
 static il_status take_tag(const il_xml_element *e, uint32_t *tag, il_error *err)
 {
-    size_t n, digits = 0;
+    size_t n = 0;
     const char *s = il_xml_attribute(e, "tag", &n);
     *tag = 0;
-    for (size_t i = 0; i < n; i++) {
-        int digit = il_hex_digit(s[i]);
-        if (i == 4 && n == 9 && s[i] == ',')
-            continue;
-        if (digit < 0)
-            break;
-        *tag = *tag << 4 | (uint32_t)digit;
-        digits++;
-    }
-    if (digits == 8 && (n == 8 || (n == 9 && s[4] == ',')))
+    if (s && (il_rt_parse_tag(s, n, "xxxxxxxx", tag) || il_rt_parse_tag(s, n, "xxxx,xxxx", tag)))
         return IL_OK;
     return s ? il_fail(err, IL_E_INPUT, e->line, "'%.*s' is no tag of DICOM: eight hexadecimal digits are", (int)(n < 20 ? n : 20), s)
              : il_fail(err, IL_E_INPUT, e->line, "%.20s without a tag", e->name);

@@ -109,6 +109,22 @@ static bool parse_whole(const char *text, size_t n, long *value)
     return true;
 }
 
+bool il_rt_parse_tag(const char *s, size_t n, const char *form, uint32_t *tag)
+{
+    uint32_t value = 0;
+    if (n != strlen(form))
+        return false;
+    for (size_t i = 0; i < n; i++) {
+        int digit = il_hex_digit(s[i]);
+        if (form[i] == 'x' ? digit < 0 : s[i] != form[i])
+            return false;
+        if (form[i] == 'x')
+            value = value << 4 | (uint32_t)digit;
+    }
+    *tag = value;
+    return true;
+}
+
 /* ---- elements ------------------------------------------------------------------- */
 
 typedef struct element {

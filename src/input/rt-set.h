@@ -18,6 +18,10 @@
 /* group << 16 | element */
 #define IL_TAG(group, element) ((uint32_t)(group) << 16 | (uint32_t)(element))
 
+/* Is S[0..N) a tag as FORM has it, each x in FORM a hexadecimal digit in either
+ * case and the rest as it stands ("(xxxx,xxxx)")?  *TAG is set only then. */
+bool il_rt_parse_tag(const char *s, size_t n, const char *form, uint32_t *tag);
+
 typedef struct il_rt_set il_rt_set;
 
 /* LINE is where it stands in the file, for errors.  IL_E_INPUT when the brackets

@@ -117,10 +117,16 @@ bool il_extra_add(il_extra **list, const char *text, size_t n)
         il_free(e);
         return false;
     }
-    while (*list)
-        list = &(*list)->next;
-    *list = e;
+    il_extra_move(list, &e);
     return true;
+}
+
+void il_extra_move(il_extra **to, il_extra **from)
+{
+    while (*to)
+        to = &(*to)->next;
+    *to = *from;
+    *from = NULL;
 }
 
 void il_extra_free(il_extra **list)

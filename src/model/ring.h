@@ -57,6 +57,8 @@ typedef struct il_extra {
 } il_extra;
 
 bool il_extra_add(il_extra **list, const char *text, size_t n);
+/* All of FROM behind what TO has; FROM is empty then.  They are two lists. */
+void il_extra_move(il_extra **to, il_extra **from);
 void il_extra_free(il_extra **list);
 
 #endif

@@ -208,14 +208,6 @@ static bool index_edges(il_keymap *ring_at, const il_arrangement *a, const il_sl
     return true;
 }
 
-static void move_extra(il_extra **to, il_extra **from)
-{
-    while (*to)
-        to = &(*to)->next;
-    *to = *from;
-    *from = NULL;
-}
-
 /* Rings of the input and what became of their edges. */
 typedef struct fate {
     uint32_t heir;            /* clean ring with the first that survived, or UINT32_MAX */
@@ -253,7 +245,7 @@ static il_status hand_down(il_slice *from, const il_arrangement *a, il_slice *to
         il_ring *heir = f[i].heir == UINT32_MAX ? NULL : &to->ring[f[i].heir];
         if (heir && heir->line == 0)
             heir->line = from->ring[i].line;
-        move_extra(heir ? &heir->extra : &to->extra, &from->ring[i].extra);
+        il_extra_move(heir ? &heir->extra : &to->extra, &from->ring[i].extra);
         if (f[i].turned && !f[i].kept)
             il_report_repair(report, IL_REPAIR_REVERSED_RING, 1);
     }
@@ -332,8 +324,8 @@ il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *repo
             *changed = n_moved > 0 || count_dropped(report) != dropped_before || !il_slice_equal_rings(s, &clean);
         clean.z = s->z;
         clean.line = s->line;
-        move_extra(&s->extra, &clean.extra);
-        move_extra(&clean.extra, &s->extra);
+        il_extra_move(&s->extra, &clean.extra);
+        il_extra_move(&clean.extra, &s->extra);
         il_slice swap = *s;
         *s = clean;
         clean = swap;

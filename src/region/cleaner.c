@@ -70,11 +70,7 @@ static il_status merge(il_slice *to, il_slice *from, il_error *err)
         *r = from->ring[i];
         from->ring[i] = (il_ring)IL_RING_INIT;
     }
-    il_extra **end = &to->extra;
-    while (*end)
-        end = &(*end)->next;
-    *end = from->extra;
-    from->extra = NULL;
+    il_extra_move(&to->extra, &from->extra);
     return IL_OK;
 }
 

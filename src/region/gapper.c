@@ -357,6 +357,14 @@ static il_status on_end(il_sink *self, il_error *err)
     return g->next->end(g->next, err);
 }
 
+bool il_gap_options_settle(il_gap_options *o, bool is_set)
+{
+    o->drop_empty = is_set;
+    if (is_set && o->mode == IL_GAPS_AS_GIVEN)
+        o->mode = IL_GAPS_CAP;
+    return o->mode != IL_GAPS_AS_GIVEN || o->thickness > 0;
+}
+
 il_status il_gapper_new(il_sink **out, const il_gap_options *o, il_sink *next, il_report *report, il_error *err)
 {
     *out = NULL;

@@ -22,6 +22,12 @@ typedef struct il_gap_options {
 
 #define IL_GAP_OPTIONS_INIT { IL_GAPS_AS_GIVEN, 0, false }
 
+/* Complete O for input that is a structure set, or not: such sets lack slices as a
+ * matter of course, so that gaps are closed where nothing else is said; what
+ * streams one slice at a time goes on doing so unless it is asked for.  Is the
+ * stage needed? */
+bool il_gap_options_settle(il_gap_options *o, bool is_set);
+
 /* A sink that marks the gaps of every stack of kind solid, and puts a copy of a
  * slice without neighbours half the thickness below and above it (counted in
  * REPORT, vertices marked as inserted; never farther than 0.45 of a gap).  Pairs of

@@ -1,10 +1,7 @@
 #include "config.h"
 #include "region/simple.h"
-#include "base/alloc.h"
 #include "bridge/predicates.h"
 #include "model/order.h"
-
-#include <string.h>
 
 static const double *vertex(const il_ring *r, size_t i)
 {
@@ -61,18 +58,10 @@ static bool turn(il_slice *s, size_t i)
     return true;
 }
 
-static void move_extra(il_extra **to, il_extra **from)
-{
-    while (*to)
-        to = &(*to)->next;
-    *to = *from;
-    *from = NULL;
-}
-
 static bool copy_ring(il_ring *to, il_ring *from)
 {
     to->line = from->line;
-    move_extra(&to->extra, &from->extra);
+    il_extra_move(&to->extra, &from->extra);
     for (size_t i = 0; i < from->n; i++)
         if (!il_ring_add(to, vertex(from, i)[0], vertex(from, i)[1], from->mark ? from->mark[i] : 0))
             return false;
@@ -86,7 +75,7 @@ il_status il_slice_take_simple(il_slice *out, il_slice *s, size_t *turned, il_er
         il_ring *from = &s->ring[i];
         il_ring *to = from->n > 0 ? il_slice_add_ring(out) : NULL;
         if (from->n == 0)
-            move_extra(&out->extra, &from->extra);
+            il_extra_move(&out->extra, &from->extra);
         else if (!to || !copy_ring(to, from))
             return il_fail_nomem(err);
     }

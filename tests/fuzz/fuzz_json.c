@@ -3,6 +3,7 @@
  * these, written as JSON, give themselves again. */
 #include "config.h"
 #include "input/json-scan.h"
+#include "must.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -10,14 +11,6 @@
 #include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
-static void must(int holds, const char *what)
-{
-    if (holds)
-        return;
-    fprintf(stderr, "%s\n", what);
-    abort();
-}
 
 /* ---- events as JSON ------------------------------------------------------- */
 

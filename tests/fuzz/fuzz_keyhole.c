@@ -12,24 +12,16 @@
 #include "config.h"
 #include "region/clean.h"
 #include "region/keyhole.h"
+#include "must.h"
 
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { RING_ENDS = 0x80, COMES_BACK = 0x40, MOST_VERTICES = 250 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
-static void must(int holds, const char *what)
-{
-    if (holds)
-        return;
-    fprintf(stderr, "%s\n", what);
-    abort();
-}
 
 static void add_vertex(il_ring *r, const uint8_t b[3])
 {

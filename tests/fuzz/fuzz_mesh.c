@@ -3,21 +3,13 @@
 #include "config.h"
 #include "input/mesh-file.h"
 #include "model/audit.h"
+#include "must.h"
 
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
-static void must(int holds, const char *what)
-{
-    if (holds)
-        return;
-    fprintf(stderr, "%s\n", what);
-    abort();
-}
 
 static void must_be_whole(const il_mesh *m)
 {

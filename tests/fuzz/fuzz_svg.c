@@ -3,21 +3,13 @@
  * it: rising heights, finite coordinates below the limit, closed lines. */
 #include "config.h"
 #include "input/reader.h"
+#include "must.h"
 
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
-static void must(int holds, const char *what)
-{
-    if (holds)
-        return;
-    fprintf(stderr, "%s\n", what);
-    abort();
-}
 
 /* The contract as a sink: `calls` is where in it we are. */
 typedef struct contract {

@@ -7,20 +7,13 @@
 
 #include "base/text.h"
 #include "input/reader.h"
+#include "must.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static inline void must(int holds, const char *what)
-{
-    if (holds)
-        return;
-    fprintf(stderr, "%s\n", what);
-    abort();
-}
 
 /* The contract as a sink: `calls` is where in it we are. */
 typedef struct contract {

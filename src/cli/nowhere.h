@@ -5,6 +5,8 @@
 #include "model/mesh.h"
 #include "model/sink.h"
 
+/* They hold nothing, answer IL_OK to every call, and leave what they are given with
+ * the caller. */
 il_sink il_nowhere_contours(void);
 il_mesh_sink il_nowhere_meshes(void);
 

@@ -24,7 +24,7 @@ typedef struct il_rt_contour {
     long line;
 } il_rt_contour;
 
-void il_rt_contour_free(il_rt_contour *c);
+void il_rt_contour_free(il_rt_contour *c); /* leaves an empty one; safe twice */
 
 /* C, which is empty, takes over the N points at *XYZ, which is null then. */
 void il_rt_contour_take_points(il_rt_contour *c, double **xyz, size_t n);
@@ -47,7 +47,7 @@ typedef struct il_rt_roi {
     il_report report;
 } il_rt_roi;
 
-void il_rt_roi_free(il_rt_roi *r);
+void il_rt_roi_free(il_rt_roi *r); /* with its contours and report; likewise */
 
 /* Take over the contour C.  False without memory. */
 bool il_rt_roi_add(il_rt_roi *r, il_rt_contour *c);

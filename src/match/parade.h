@@ -42,6 +42,8 @@ typedef struct il_parade {
     il_crew crew;
 } il_parade;
 
+/* An empty parade with O's threads, at least one.  IL_E_NOMEM, or what the crew
+ * answers (base/threads.h); nothing is left to stop then. */
 il_status il_parade_start(il_parade *p, const il_match_options *o, il_error *err);
 void il_parade_stop(il_parade *p);    /* ends the threads, frees all; safe on a zeroed parade */
 

@@ -16,8 +16,10 @@ typedef struct il_outline {
 } il_outline;
 
 #define IL_OUTLINE_INIT { NULL, NULL, NULL, 0 }
+/* O from R, which is not kept; lengths in R's unit.  O(n).  IL_E_NOMEM, and then O is
+ * IL_OUTLINE_INIT. */
 il_status il_outline_init(il_outline *o, const il_ring *r, il_error *err);
-void il_outline_free(il_outline *o);
+void il_outline_free(il_outline *o); /* leaves IL_OUTLINE_INIT */
 
 /* Length along O from vertex 0. */
 double il_outline_length(const il_outline *o);

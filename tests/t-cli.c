@@ -3,7 +3,7 @@
 #include "cli/filename.h"
 #include "cli/grid.h"
 #include "cli/json.h"
-#include "cli/pattern.h"
+#include "base/pattern.h"
 #include "cli/select.h"
 #include "test.h"
 

@@ -203,6 +203,75 @@ static il_status set_thickness(il_options *o, const char *value, bool on, il_err
     return parse_length(value, &o->thickness, "--thickness", err);
 }
 
+/* The index of VALUE among the N WORDS into *K; LIST names them for the refusal. */
+static il_status parse_word(const char *value, const char *const *words, int n, int *k, const char *option,
+                            const char *list, il_error *err)
+{
+    for (*k = 0; *k < n; ++*k)
+        if (strcmp(value, words[*k]) == 0)
+            return IL_OK;
+    return il_fail(err, IL_E_USAGE, 0, "%s is %s, not '%.40s'", option, list, value);
+}
+
+static il_status set_height(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return set_path(&o->read.map.height, value, "--height", err);
+}
+
+static il_status set_depth(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->read.map.depth = on ? IL_DEPTH_DOWN : IL_DEPTH_UP;
+    return IL_OK;
+}
+
+static il_status set_z_unit(il_options *o, const char *value, bool on, il_error *err)
+{
+    o->read.map.has_z_unit = on;
+    il_status st = parse_unit(value, &o->read.map.z_unit, err);
+    if (st == IL_OK && !(il_unit_metres(o->read.map.z_unit) > 0))
+        st = il_fail(err, IL_E_USAGE, 0, "--z-unit needs a unit of length, not '%.40s'", value);
+    return st;
+}
+
+static il_status set_project(il_options *o, const char *value, bool on, il_error *err)
+{
+    static const char *const words[] = {
+        [IL_PROJECT_AUTO] = "auto", [IL_PROJECT_UTM] = "utm", [IL_PROJECT_TM] = "tm", [IL_PROJECT_NONE] = "none" };
+    int k = on ? IL_PROJECT_AUTO : IL_PROJECT_NONE;
+    il_status st = value ? parse_word(value, words, 4, &k, "--project", "auto, utm, tm or none", err) : IL_OK;
+    o->read.map.project = (il_project)k;
+    return st;
+}
+
+static il_status set_high(il_options *o, const char *value, bool on, il_error *err)
+{
+    static const char *const words[] = { "left", "right" };
+    int k = 0;
+    (void)on;
+    il_status st = parse_word(value, words, 2, &k, "--high", "left or right", err);
+    o->read.map.high = k == 0 ? IL_SIDE_LEFT : IL_SIDE_RIGHT;
+    return st;
+}
+
+static il_status add_layer(il_options *o, const char *value, bool on, il_error *err)
+{
+    il_map_options *m = &o->read.map;
+    (void)on;
+    if (!il_grow(&m->layer, &m->cap_layers, m->n_layers + 1, sizeof *m->layer))
+        return il_fail_nomem(err);
+    m->layer[m->n_layers++] = value;
+    return IL_OK;
+}
+
+static il_status set_join(il_options *o, const char *value, bool on, il_error *err)
+{
+    o->join = 0;
+    return on && strcmp(value, "0") != 0 ? parse_length(value, &o->join, "--join", err) : IL_OK;
+}
+
 static il_status set_groups(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
@@ -371,6 +440,20 @@ const il_option il_option_table[] = {
       NULL, "distance of a flattened curve from the true one", set_flatness },
     { 0, "keyhole", "D", IL_OPTION_VALUE_OR_NO, READERS,
       NULL, "how far the sides of a keyhole are apart; 0: off", set_keyhole },
+    { 0, "height", "NAME", IL_OPTION_VALUE, READERS,
+      "maps: attribute with the heights, or z", "maps: attribute with the heights, or z", set_height },
+    { 0, "depth", NULL, IL_OPTION_SWITCH, READERS,
+      NULL, "maps: heights are depths, positive down", set_depth },
+    { 0, "z-unit", "U", IL_OPTION_VALUE, READERS,
+      NULL, "maps: unit of the heights, m or ft; else found", set_z_unit },
+    { 0, "project", "auto|utm|tm|none", IL_OPTION_VALUE_OR_NO, READERS,
+      NULL, "maps: what becomes of degrees", set_project },
+    { 0, "layer", "PATTERN", IL_OPTION_VALUE, READERS,
+      NULL, "DXF: only layers that match; '!PATTERN': not", add_layer },
+    { 0, "high", "left|right", IL_OPTION_VALUE, READERS,
+      NULL, "maps of one level: the higher side of its lines", set_high },
+    { 0, "join", "D", IL_OPTION_VALUE_OR_NO, STREAMS,
+      NULL, "maps: join ends no farther apart; else 0", set_join },
     { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
       "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
     { 0, "gap", "bridge|cap|fail", IL_OPTION_VALUE, STREAMS,

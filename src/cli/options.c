@@ -19,6 +19,7 @@ void il_options_free(il_options *o)
 {
     il_free(o->input);
     il_free(o->pattern);
+    il_free(o->read.map.layer);
     il_options_init(o);
 }
 

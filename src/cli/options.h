@@ -52,6 +52,7 @@ typedef struct il_options {
     il_gap_mode gap;
     double thickness;
     il_picture_options picture;
+    double join;                /* how far apart ends of lines may be that are joined, in the unit of the stacks */
     il_matcher matcher;
     bool keep_lattices;
     int threads;

@@ -14,6 +14,7 @@
 #include "model/rescale.h"
 #include "model/tee.h"
 #include "region/clean.h"
+#include "region/joiner.h"
 #include "region/keyhole.h"
 
 #include <string.h>
@@ -29,7 +30,7 @@ typedef struct pipeline {
     const il_reader *reader;
     il_destination *destination;
     il_output *pairs;
-    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *gapper, *cleaner, *ras, *rescaler, *select, *first;
+    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *gapper, *joiner, *cleaner, *ras, *rescaler, *select, *first;
     il_refit *refit;
     il_sink nowhere;
     il_mesh_sink nowhere_mesh;
@@ -191,6 +192,16 @@ static il_status build_gapper(pipeline *p, il_error *err)
     return st;
 }
 
+static il_status build_joiner(pipeline *p, il_error *err)
+{
+    if (p->plan->draw)
+        return IL_OK;
+    il_join_options j = { p->options->join };
+    il_status st = il_joiner_new(&p->joiner, &j, p->first, &p->account->report, err);
+    p->first = st == IL_OK ? p->joiner : p->first;
+    return st;
+}
+
 static il_status build_cleaner(pipeline *p, il_error *err)
 {
     if (p->plan->draw)
@@ -237,7 +248,7 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_matcher, build_gapper, build_cleaner, build_ras, build_rescaler, build_select };
+        build_rounder, build_tee, build_matcher, build_gapper, build_joiner, build_cleaner, build_ras, build_rescaler, build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
     p->first = il_account_contours(p->account, end);
@@ -254,6 +265,7 @@ static void free_pipeline(pipeline *p)
     il_ras_free(p->ras);
     if (p->cleaner)
         il_cleaner_free(p->cleaner);
+    il_joiner_free(p->joiner);
     il_gapper_free(p->gapper);
     il_matcher_free(p->matcher);
     il_refit_free(p->refit);

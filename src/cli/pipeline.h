@@ -1,6 +1,6 @@
 /* pipeline.h - the stages put together and run.
  *
- *     reader > select > rescale > [ras] > clean > [gaps] > match > [pairs] > [round]
+ *     reader > select > rescale > [ras] > clean > join > [gaps] > match > [pairs] > [round]
  *            > account > contour writer, or lofter > account > mesh writer
  *
  * Rounding for STL is a cleaning stage of its own behind the matching, so that

@@ -1,8 +1,8 @@
 #include "config.h"
 #include "cli/select.h"
 #include "base/alloc.h"
+#include "base/pattern.h"
 #include "base/text.h"
-#include "cli/pattern.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -26,20 +26,6 @@ typedef struct select_stage {
 } select_stage;
 
 /* ---- names ------------------------------------------------------------------ */
-
-static bool is_taken(select_stage *s, const char *name)
-{
-    bool wanted = false, any = false, unwanted = false;
-    for (size_t k = 0; k < s->n_patterns; k++) {
-        const char *p = s->pattern[k];
-        bool negated = *p == '!', matches = il_pattern_matches(p + negated, name);
-        s->matched[k] |= matches;
-        any |= !negated;
-        wanted |= !negated && matches;
-        unwanted |= negated && matches;
-    }
-    return !unwanted && (wanted || !any);
-}
 
 static void remember(select_stage *s, const char *name)
 {
@@ -68,7 +54,7 @@ static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_err
 {
     select_stage *s = (select_stage *)self;
     const char *name = il_stack_head_name(head);
-    s->passing = is_taken(s, name);
+    s->passing = il_pattern_choose(s->pattern, s->n_patterns, name, s->matched);
     if (s->passing)
         s->n_passed++;
     else

@@ -8,9 +8,7 @@
 
 /* A sink that passes on to NEXT (borrowed) the stacks that PATTERN[0..N) choose
  * and drops the others, with what REPORT has of them.  The patterns are those of
- * the shell (borrowed; see cli/pattern.h); one that begins with !
- * chooses what does not match the rest of it.  A stack is taken when one of the
- * plain patterns matches its name, or there is none, and none of those with ! does.
+ * the shell (borrowed), and ! before one, as il_pattern_choose has them.
  * IL_E_INPUT at the end, with some of the names there are, when none was taken;
  * else VOICE (borrowed) tells which patterns no name matched. */
 il_status il_select_new(il_sink **out, const char *const *pattern, size_t n, il_sink *next,

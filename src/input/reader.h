@@ -9,6 +9,30 @@
 
 #include <stdbool.h>
 
+/* Where the ground lies along a single level, seen along its lines; how depths are
+ * counted; what becomes of degrees. */
+typedef enum il_side { IL_SIDE_UNKNOWN, IL_SIDE_LEFT, IL_SIDE_RIGHT } il_side;
+typedef enum il_depth { IL_DEPTH_AUTO, IL_DEPTH_DOWN, IL_DEPTH_UP } il_depth;
+typedef enum il_project { IL_PROJECT_AUTO, IL_PROJECT_UTM, IL_PROJECT_TM, IL_PROJECT_NONE } il_project;
+
+/* What the user may say about a map (formats with is_map).  Texts are borrowed.
+ * height: the attribute that holds the heights, without regard to case, "z" for the
+ * z coordinates, "LOW,HIGH" for the two of a band; null when not given.  z_unit: of
+ * the heights.  layer: the patterns of --layer (base/pattern.h).  high: on which
+ * side of the lines the ground is higher, for maps of one level.  measure: lengths
+ * and areas on the ellipsoid are wanted. */
+typedef struct il_map_options {
+    const char *height;
+    il_depth depth;
+    bool has_z_unit;
+    il_unit z_unit;
+    il_project project;
+    const char **layer;
+    size_t n_layers, cap_layers;
+    il_side high;
+    bool measure;
+} il_map_options;
+
 /* What the user may say about the input.  spacing: distance of slices that
  * carry no height, in the input's unit, 0 when not given.  The limits are
  * generous guards against hostile files; their defaults are IL_LIMIT_…. */
@@ -22,6 +46,7 @@ typedef struct il_read_options {
     size_t max_line;            /* bytes */
     size_t max_depth;           /* nested elements */
     size_t max_points;          /* vertices a stack */
+    il_map_options map;
 } il_read_options;
 
 enum {
@@ -30,18 +55,20 @@ enum {
     IL_LIMIT_POINTS = 500 * 1000 * 1000
 };
 
-#define IL_READ_OPTIONS_INIT { 0, false, false, false, IL_UNIT_MM, 0, IL_LIMIT_LINE, IL_LIMIT_DEPTH, IL_LIMIT_POINTS }
+#define IL_READ_OPTIONS_INIT { 0, false, false, false, IL_UNIT_MM, 0, IL_LIMIT_LINE, IL_LIMIT_DEPTH, IL_LIMIT_POINTS, \
+    { NULL, IL_DEPTH_AUTO, false, IL_UNIT_M, IL_PROJECT_AUTO, NULL, 0, 0, IL_SIDE_UNKNOWN, false } }
 
 /* name: as after -f.  extensions: space-separated, without the point.
  * words: for --formats.  is_patient: structures that a person drew in a patient;
  * coordinates are LPS, slices may be missing, and an empty one says nothing.
+ * is_map: isolines; options.map is for them.
  * probe: do the first N bytes look like this format?
  * read: read all of the N sources, in the order given, as one set into SINK
  * (many for formats whose files are slices; native streams follow one another).
  * A failure is reported in *ERR with the source's name and the line. */
 typedef struct il_reader {
     const char *name, *extensions, *words;
-    bool is_patient;
+    bool is_patient, is_map;
     bool (*probe)(const unsigned char *head, size_t n);
     il_status (*read)(il_source *const *source, size_t n, const il_read_options *options,
                       il_sink *sink, il_report *report, il_error *err);

@@ -29,7 +29,7 @@ typedef struct il_clean_options {
 il_status il_slice_clean(il_slice *s, const il_clean_options *o, il_report *report,
                          bool *changed, il_error *err);
 
-/* A sink that cleans each slice and passes all on to NEXT (borrowed).  Slices
+/* A sink that cleans each slice of a solid and passes all on to NEXT (borrowed).  Slices
  * must come in rising z: equal heights are merged into one slice, and a falling
  * one is IL_E_INPUT, as is an equal one behind a pair, which closes the slice.  A
  * pair that names rings of a slice that needed repair or was merged is

@@ -15,6 +15,7 @@ typedef struct cleaner {
     il_report *report;
     il_slice held;      /* the last slice, not passed on yet: one of the same height may follow */
     bool holding;
+    bool is_terrain;    /* its lines bound nothing yet: equal heights are merged, and that is all */
     bool merged;        /* the held one, of several: whose rings a pair would name is not known */
     bool passed;        /* was any slice passed on in this stack? */
     double z;           /* of the one passed on last */
@@ -36,7 +37,20 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     il_slice_free(&c->held);
     c->holding = c->merged = c->passed = c->changed = c->before_changed = false;
     c->keyhole = keyhole_tolerance(&c->options, head->unit);
+    c->is_terrain = head->kind == IL_KIND_TERRAIN;
     return c->next->stack_begin(c->next, head, err);
+}
+
+static il_status clean_held(cleaner *c, il_error *err)
+{
+    size_t n_before = c->held.n;
+    bool changed = false;
+    il_status st = il_slice_open_keyholes(&c->held, c->keyhole, c->report, err);
+    c->changed |= c->held.n != n_before;
+    if (st == IL_OK)
+        st = il_slice_clean(&c->held, &c->options, c->report, &changed, err);
+    c->changed |= changed;
+    return st;
 }
 
 static il_status pass_on(cleaner *c, il_error *err)
@@ -47,12 +61,8 @@ static il_status pass_on(cleaner *c, il_error *err)
     c->before_changed = c->changed;
     c->passed = true;
     c->z = c->held.z;
-    size_t n_before = c->held.n;
-    il_status st = il_slice_open_keyholes(&c->held, c->keyhole, c->report, err);
-    bool opened = c->held.n != n_before;
-    if (st == IL_OK)
-        st = il_slice_clean(&c->held, &c->options, c->report, &c->changed, err);
-    c->changed |= c->merged || opened;
+    c->changed = c->merged;
+    il_status st = c->is_terrain ? IL_OK : clean_held(c, err);
     c->merged = false;
     if (st == IL_OK)
         st = c->next->slice(c->next, &c->held, err);

@@ -1,5 +1,5 @@
 #include "config.h"
-#include "cli/pattern.h"
+#include "base/pattern.h"
 #include "base/text.h"
 
 #include <stddef.h>
@@ -94,4 +94,19 @@ bool il_pattern_matches(const char *pattern, const char *name)
             name = again;
         }
     }
+}
+
+bool il_pattern_choose(const char *const *pattern, size_t n, const char *name, bool *matched)
+{
+    bool wanted = false, any = false, unwanted = false;
+    for (size_t k = 0; k < n; k++) {
+        const char *p = pattern[k];
+        bool negated = *p == '!', matches = il_pattern_matches(p + negated, name);
+        any |= !negated;
+        wanted |= !negated && matches;
+        unwanted |= negated && matches;
+        if (matched)
+            matched[k] |= matches;
+    }
+    return !unwanted && (wanted || !any);
 }

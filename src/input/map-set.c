@@ -1,0 +1,277 @@
+#include "config.h"
+#include "input/map-data.h"
+#include "base/alloc.h"
+#include "input/map-heights.h"
+#include "input/map-stack.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Names of attributes that are kept for the refusal that lists them; files of more
+ * columns are tables of something else. */
+enum { COLUMNS_MOST = 200 };
+
+/* now: what a parser is inside of.  guess: the column that likely comes next, as
+ * features have the same attributes in the same order. */
+struct il_map_set {
+    il_map map;
+    uint32_t file;
+    bool in_part;
+    size_t guess;
+};
+
+/* ---- points ------------------------------------------------------------------ */
+
+il_status il_map_begin_feature(il_map_set *s, long line, il_error *err)
+{
+    if (s->map.n_features == UINT32_MAX)
+        return il_fail(err, IL_E_INPUT, line, "more than %u features", UINT32_MAX);
+    s->guess = 0;
+    return IL_OK;
+}
+
+il_status il_map_end_feature(il_map_set *s, il_error *err)
+{
+    (void)err;
+    s->map.n_features++;
+    return IL_OK;
+}
+
+il_status il_map_begin_part(il_map_set *s, il_map_part kind, long line, il_error *err)
+{
+    il_map *m = &s->map;
+    if (!il_grow(&m->line, &m->cap_lines, m->n_lines + 1, sizeof *m->line))
+        return il_fail_nomem(err);
+    m->line[m->n_lines++] = (il_map_line){
+        .begin = m->n, .z_low = INFINITY, .z_high = -INFINITY, .height = NAN, .line = line,
+        .feature = (uint32_t)m->n_features, .file = s->file, .kind = (unsigned char)kind };
+    return IL_OK;
+}
+
+static il_status fail_point(const il_map *m, double x, double y, double z, long line, il_error *err)
+{
+    if (m->n >= m->options->max_points)
+        return il_fail(err, IL_E_INPUT, line, "more than %zu points (--max-points)", m->options->max_points);
+    double bad = !(fabs(x) < IL_COORDINATE_BOUND) ? x : !(fabs(y) < IL_COORDINATE_BOUND) ? y : z;
+    if (isfinite(bad))
+        return il_fail(err, IL_E_INPUT, line, "the coordinate %.17g is not below 1e15", bad);
+    return il_fail(err, IL_E_INPUT, line, "a coordinate is no finite number");
+}
+
+il_status il_map_point(il_map_set *s, double x, double y, double z, long line, il_error *err)
+{
+    il_map *m = &s->map;
+    il_map_line *l = &m->line[m->n_lines - 1];
+    bool fits = fabs(x) < IL_COORDINATE_BOUND && fabs(y) < IL_COORDINATE_BOUND && !(fabs(z) >= IL_COORDINATE_BOUND);
+    if (!fits || m->n >= m->options->max_points)
+        return fail_point(m, x, y, z, line, err);
+    if (m->n == m->cap && !il_grow(&m->xy, &m->cap, m->n + 1, 2 * sizeof *m->xy))
+        return il_fail_nomem(err);
+    m->xy[2 * m->n] = x + 0.0; /* -0 is 0 */
+    m->xy[2 * m->n + 1] = y + 0.0;
+    m->n++;
+    l->n++;
+    l->n_z += isnan(z) ? 0 : 1;
+    l->z_low = z < l->z_low ? z : l->z_low;
+    l->z_high = z > l->z_high ? z : l->z_high;
+    return IL_OK;
+}
+
+/* A line that comes back to its first point is closed, and an outline always is. */
+il_status il_map_end_part(il_map_set *s, il_error *err)
+{
+    il_map *m = &s->map;
+    il_map_line *l = &m->line[m->n_lines - 1];
+    const double *first = m->xy + 2 * l->begin, *last = first + 2 * (l->n > 0 ? l->n - 1 : 0);
+    (void)err;
+    bool meets = l->n > 2 && first[0] == last[0] && first[1] == last[1];
+    if (l->kind == IL_MAP_POINT || l->n == 0) {
+        il_map_skip(s, l->line, l->n == 0 ? "line" : "point", l->n == 0 ? "has no points" : "a point by itself is no isoline");
+        m->n = l->begin;
+        m->n_lines--;
+    } else if (meets) {
+        m->n--;
+        l->n--;
+    }
+    l->closed = meets || l->kind == IL_MAP_RING;
+    return IL_OK;
+}
+
+/* ---- attributes -------------------------------------------------------------- */
+
+static bool same_name(const char *a, const char *b, size_t n)
+{
+    return strncmp(a, b, n) == 0 && a[n] == '\0';
+}
+
+/* The index of the column NAME, made when it is new; n_columns when it cannot be. */
+static size_t find_column(il_map_set *s, const char *name, size_t n, bool is_place)
+{
+    il_map *m = &s->map;
+    for (size_t k = 0; k < m->n_columns; k++) {
+        size_t at = (s->guess + k) % m->n_columns;
+        if (m->column[at].is_place == is_place && same_name(m->column[at].name, name, n))
+            return at;
+    }
+    if (m->n_columns >= COLUMNS_MOST) {
+        m->n_columns_dropped++;
+        return m->n_columns;
+    }
+    char *copy = il_strndup(name, n);
+    if (!copy || !il_grow(&m->column, &m->cap_columns, m->n_columns + 1, sizeof *m->column)) {
+        il_free(copy);
+        return m->n_columns;
+    }
+    m->column[m->n_columns] = (il_map_column){
+        .name = copy, .is_place = is_place, .wanted = is_place || il_map_heights_wants(m->options, name, n) };
+    return m->n_columns++;
+}
+
+/* Give COLUMN the value of the feature at hand. */
+static bool set_value(il_map_column *c, size_t feature, double value)
+{
+    if (!il_grow(&c->value, &c->cap, feature + 1, sizeof *c->value))
+        return false;
+    while (c->n < feature)
+        c->value[c->n++] = NAN;
+    c->value[feature] = value;
+    c->n = feature + 1;
+    return true;
+}
+
+static il_status take_value(il_map *m, il_map_column *c, const char *text, size_t n, il_error *err)
+{
+    il_map_value v;
+    if (!il_map_value_parse(text, n, &v)) {
+        c->n_texts++;
+        return IL_OK;
+    }
+    if (c->n_numbers++ == 0) {
+        c->has_unit = v.has_unit;
+        c->unit = v.unit;
+    }
+    c->mixed_units |= c->has_unit != v.has_unit || (v.has_unit && c->unit != v.unit);
+    return set_value(c, m->n_features, v.number) ? IL_OK : il_fail_nomem(err);
+}
+
+static il_status take(il_map_set *s, const char *name, size_t n_name, const char *text, size_t n, bool is_place, il_error *err)
+{
+    il_map *m = &s->map;
+    size_t before = m->n_columns, k = find_column(s, name, n_name, is_place);
+    if (k == m->n_columns)
+        return before >= COLUMNS_MOST ? IL_OK : il_fail_nomem(err);
+    s->guess = k + 1;
+    return text && m->column[k].wanted ? take_value(m, &m->column[k], text, n, err) : IL_OK;
+}
+
+il_status il_map_attribute(il_map_set *s, const char *name, size_t n_name, const char *text, size_t n, il_error *err)
+{
+    return take(s, name, n_name, text, n, false, err);
+}
+
+il_status il_map_place(il_map_set *s, const char *name, const char *text, size_t n, il_error *err)
+{
+    return take(s, name, strlen(name), text, n, true, err);
+}
+
+bool il_map_wants(const il_map_set *s, const char *name, size_t n_name)
+{
+    return il_map_heights_wants(s->map.options, name, n_name);
+}
+
+/* ---- what the file says ------------------------------------------------------ */
+
+il_status il_map_crs(il_map_set *s, const char *text, size_t n, long line, il_error *err)
+{
+    il_map *m = &s->map;
+    if (n == 0 || (m->crs && same_name(m->crs, text, n)))
+        return IL_OK;
+    if (m->crs)
+        return il_fail(err, IL_E_INPUT, line, "the coordinate system is '%.*s', and before it was '%.60s'",
+                       n < 60 ? (int)n : 60, text, m->crs);
+    m->crs = il_strndup(text, n);
+    return m->crs ? IL_OK : il_fail_nomem(err);
+}
+
+void il_map_degrees(il_map_set *s)
+{
+    s->map.degrees = true;
+}
+
+void il_map_unit(il_map_set *s, il_unit unit)
+{
+    s->map.has_unit = true;
+    s->map.unit = unit;
+}
+
+il_report *il_map_report(il_map_set *s)
+{
+    return s->map.report;
+}
+
+const char *il_map_file(const il_map_set *s)
+{
+    return s->map.file[s->file];
+}
+
+void il_map_skip(il_map_set *s, long line, const char *what, const char *why)
+{
+    il_report_skip(s->map.report, il_map_file(s), line, what, why);
+}
+
+void il_map_drop(il_map *m, il_map_line *l, const char *what, const char *why)
+{
+    il_report_skip(m->report, il_map_file_of(m, l), l->line, what, why);
+    l->height = NAN;
+    l->n = 0;
+}
+
+/* ---- from files to a stack ----------------------------------------------------- */
+
+static void free_set(il_map_set *s)
+{
+    il_map *m = &s->map;
+    for (size_t k = 0; k < m->n_columns; k++) {
+        il_free(m->column[k].name);
+        il_free(m->column[k].value);
+    }
+    il_free(m->column);
+    il_free(m->line);
+    il_free(m->xy);
+    il_free(m->crs);
+    il_free(m->file);
+}
+
+static il_status parse_all(il_map_set *s, il_map_parse *parse, il_source *const *source, size_t n, il_error *err)
+{
+    il_status st = IL_OK;
+    for (size_t k = 0; k < n && st == IL_OK; k++) {
+        s->file = (uint32_t)k;
+        s->map.file[k] = il_source_name(source[k]);
+        st = parse(source[k], s, s->map.options, err);
+        if (st != IL_OK)
+            il_error_set_file(err, il_source_name(source[k]));
+    }
+    return st;
+}
+
+/* What the set turns out to be is said of the first file, if no place is known. */
+static il_status make_stack(il_map *m, il_sink *sink, il_error *err)
+{
+    il_status st = il_map_find_heights(m, err);
+    if (st != IL_OK)
+        il_error_set_file(err, m->file[0]);
+    return st == IL_OK ? il_map_emit(m, sink, err) : st;
+}
+
+il_status il_map_read(const char *format, il_map_parse *parse, il_source *const *source, size_t n,
+                      const il_read_options *options, il_sink *sink, il_report *report, il_error *err)
+{
+    il_map_set s = { .map = { .format = format, .options = options, .report = report, .n_files = n } };
+    s.map.file = il_calloc(n, sizeof *s.map.file);
+    il_status st = s.map.file ? parse_all(&s, parse, source, n, err) : il_fail_nomem(err);
+    if (st == IL_OK)
+        st = make_stack(&s.map, sink, err);
+    free_set(&s);
+    return st == IL_OK ? sink->end(sink, err) : st;
+}

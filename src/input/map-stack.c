@@ -1,0 +1,88 @@
+#include "config.h"
+#include "input/map-stack.h"
+#include "base/alloc.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Lines in the order of height; those of one height as they came. */
+static int compare(const void *a, const void *b)
+{
+    const il_map_line *p = *(il_map_line *const *)a, *q = *(il_map_line *const *)b;
+    if (p->height != q->height)
+        return p->height < q->height ? -1 : 1;
+    return p < q ? -1 : p > q;
+}
+
+/* The lines with a height, sorted; *N of them. */
+static il_map_line **sort_lines(il_map *m, size_t *n)
+{
+    il_map_line **sorted = il_alloc(m->n_lines, sizeof *sorted);
+    *n = 0;
+    for (size_t i = 0; i < m->n_lines && sorted; i++)
+        if (!isnan(m->line[i].height))
+            sorted[(*n)++] = &m->line[i];
+    if (sorted)
+        qsort(sorted, *n, sizeof *sorted, compare);
+    return sorted;
+}
+
+static bool add_line(const il_map *m, il_slice *s, const il_map_line *l)
+{
+    il_ring *r = il_slice_add_ring(s);
+    if (!r)
+        return false;
+    r->open = !l->closed;
+    r->line = l->line;
+    for (size_t k = l->begin; k < l->begin + l->n; k++)
+        if (!il_ring_add(r, m->xy[2 * k], m->xy[2 * k + 1], 0))
+            return false;
+    return true;
+}
+
+/* The lines SORTED[0..N) are one level. */
+static il_status emit_level(const il_map *m, il_map_line *const *sorted, size_t n, il_sink *sink, il_error *err)
+{
+    il_slice s = IL_SLICE_INIT;
+    il_status st = IL_OK;
+    s.z = sorted[0]->height + 0.0;
+    s.line = sorted[0]->line;
+    for (size_t i = 0; i < n && st == IL_OK; i++)
+        if (!add_line(m, &s, sorted[i]))
+            st = il_fail_nomem(err);
+    if (st == IL_OK)
+        st = sink->slice(sink, &s, err);
+    il_slice_free(&s);
+    return st;
+}
+
+static il_status emit_levels(const il_map *m, il_map_line *const *sorted, size_t n, il_sink *sink, il_error *err)
+{
+    il_status st = IL_OK;
+    for (size_t i = 0, j; i < n && st == IL_OK; i = j) {
+        for (j = i + 1; j < n && sorted[j]->height == sorted[i]->height;)
+            j++;
+        st = emit_level(m, sorted + i, j - i, sink, err);
+    }
+    return st;
+}
+
+il_status il_map_emit(il_map *m, il_sink *sink, il_error *err)
+{
+    il_stack_head head = IL_STACK_HEAD_INIT;
+    size_t n = 0;
+    head.kind = IL_KIND_TERRAIN;
+    head.unit = IL_UNIT_M;
+    head.line = 1;
+    il_map_line **sorted = sort_lines(m, &n);
+    il_status st = sorted && il_stack_head_set_name(&head, "", 0) ? IL_OK : il_fail_nomem(err);
+    if (st == IL_OK)
+        st = sink->stack_begin(sink, &head, err);
+    if (st == IL_OK)
+        st = emit_levels(m, sorted, n, sink, err);
+    if (st == IL_OK)
+        st = sink->stack_end(sink, err);
+    il_free(sorted);
+    il_stack_head_free(&head);
+    return st;
+}

@@ -1,0 +1,56 @@
+#include "config.h"
+#include "input/map-value.h"
+#include "base/number.h"
+
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+static const struct { const char *word; il_unit unit; } units[] = {
+    { "m", IL_UNIT_M }, { "m.", IL_UNIT_M }, { "metre", IL_UNIT_M }, { "metres", IL_UNIT_M }, { "meter", IL_UNIT_M },
+    { "meters", IL_UNIT_M }, { "ft", IL_UNIT_FT }, { "ft.", IL_UNIT_FT }, { "foot", IL_UNIT_FT }, { "feet", IL_UNIT_FT },
+    { "'", IL_UNIT_FT }, { "km", IL_UNIT_KM }, { "mm", IL_UNIT_MM }, { "cm", IL_UNIT_CM } };
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+static bool parse_unit(const char *s, size_t n, il_map_value *out)
+{
+    for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
+        if (strlen(units[k].word) == n && strncasecmp(s, units[k].word, n) == 0) {
+            out->has_unit = true;
+            out->unit = units[k].unit;
+            return true;
+        }
+    }
+    return n == 0;
+}
+
+/* The number at S[0..N), which may have a comma for its point; bytes read. */
+static size_t parse_number(const char *s, size_t n, double *value)
+{
+    char copy[64];
+    size_t used = il_number_parse(s, n, value);
+    if (used == 0 || used >= n || s[used] != ',' || memchr(s, '.', used) || n > sizeof copy)
+        return used;
+    memcpy(copy, s, n);
+    copy[used] = '.';
+    return il_number_parse(copy, n, value);
+}
+
+bool il_map_value_parse(const char *s, size_t n, il_map_value *out)
+{
+    while (n > 0 && is_blank(*s))
+        s++, n--;
+    while (n > 0 && is_blank(s[n - 1]))
+        n--;
+    *out = (il_map_value){ 0, false, IL_UNIT_M };
+    size_t used = parse_number(s, n, &out->number);
+    if (used == 0 || !(fabs(out->number) < IL_COORDINATE_BOUND))
+        return false;
+    for (s += used, n -= used; n > 0 && is_blank(*s); n--)
+        s++;
+    return parse_unit(s, n, out);
+}

@@ -2,11 +2,17 @@
  *
  * They work on it one after the other, in place (map-set.c, il_map_read):
  *     map-set      parsers fill it
- *     map-heights  where the heights stand, and each part's height
+ *     map-heights  where the heights stand, and each line's height
+ *     map-degrees  whether x and y are degrees; one run of longitudes
+ *     map-borders  polygons become the lines between them
+ *     map-units    heights in the unit of the stack, levels that are one made one
+ *     map-plane    which projection
+ *     map-project  degrees to metres
  *     map-stack    by level, to the sink */
 #ifndef IL_INPUT_MAP_DATA_H
 #define IL_INPUT_MAP_DATA_H
 
+#include "input/map-crs.h"
 #include "input/map-set.h"
 
 #include <stdint.h>
@@ -14,12 +20,14 @@
 /* A line or the outline of a polygon: points begin..begin+n of the map, the first not
  * repeated at the end where it is closed.  z_low, z_high: of its points' z; n_z of
  * them had one.  feature, file: indices; line: in the file, 0 unknown.
- * height: as decided, in the unit of the stack, NAN until then and for parts that are
- * left out.  ends_meet: the last point was the first. */
+ * height: as decided, NAN until then and for lines that are left out; upper: for bands,
+ * whose height is their lower one, NAN for others.  length, area: on the ellipsoid, m and
+ * m^2, if that was asked for and is known. */
 typedef struct il_map_line {
     size_t begin, n, n_z;
     double z_low, z_high;
-    double height;
+    double height, upper;
+    double length, area;
     long line;
     uint32_t feature, file;
     unsigned char kind;         /* il_map_part */
@@ -38,6 +46,12 @@ typedef struct il_map_column {
     size_t n, cap, n_numbers, n_texts;
 } il_map_column;
 
+/* Where the heights stand: an attribute, the two of a band, or z.  Indices of columns. */
+typedef struct il_map_where {
+    enum { IL_MAP_NOWHERE, IL_MAP_COLUMN, IL_MAP_BAND, IL_MAP_Z } kind;
+    size_t low, high;           /* COLUMN has low only */
+} il_map_where;
+
 typedef struct il_map {
     const char *format;         /* its name for people */
     const il_read_options *options;
@@ -50,16 +64,26 @@ typedef struct il_map {
     size_t n_columns, cap_columns, n_columns_dropped;
     size_t n_features, n_files;
     const char **file;          /* borrowed names */
-    char *crs;                  /* null when no file says */
-    bool degrees;               /* the format or the columns' names say so */
+    char *crs;                  /* as the first file that says has it; null when none does */
+    il_crs meaning;             /* of crs */
+    bool degrees;               /* x and y are; until map-degrees: the format or the columns' names say so */
     bool has_unit;
-    il_unit unit;
+    il_unit unit;               /* of x, y and z; since map-units: of the stack */
+    il_map_where place;      /* since map-heights */
+    unsigned char *mark;        /* a point each, IL_VERTEX_...; null: none has one */
+    double box[4];              /* since map-degrees: least x, y, greatest x, y of lines with a height */
 } il_map;
 
 /* Where LINE stands, for errors and reports. */
 static inline const char *il_map_file_of(const il_map *m, const il_map_line *l)
 {
     return m->file[l->file];
+}
+
+/* Has L a height, so that it takes part? */
+static inline bool il_map_takes_part(const il_map_line *l)
+{
+    return l->height == l->height;
 }
 
 /* Leave line L out, counted as skipped with these words. */

@@ -1,8 +1,12 @@
 #include "config.h"
 #include "input/map-data.h"
 #include "base/alloc.h"
+#include "input/map-borders.h"
+#include "input/map-degrees.h"
 #include "input/map-heights.h"
+#include "input/map-project.h"
 #include "input/map-stack.h"
+#include "input/map-units.h"
 
 #include <math.h>
 #include <string.h>
@@ -142,7 +146,7 @@ static bool set_value(il_map_column *c, size_t feature, double value)
 static il_status take_value(il_map *m, il_map_column *c, const char *text, size_t n, il_error *err)
 {
     il_map_value v;
-    if (!il_map_value_parse(text, n, &v)) {
+    if (!il_map_heights_value(m->options, text, n, &v)) {
         c->n_texts++;
         return IL_OK;
     }
@@ -186,11 +190,19 @@ il_status il_map_crs(il_map_set *s, const char *text, size_t n, long line, il_er
     il_map *m = &s->map;
     if (n == 0 || (m->crs && same_name(m->crs, text, n)))
         return IL_OK;
-    if (m->crs)
-        return il_fail(err, IL_E_INPUT, line, "the coordinate system is '%.*s', and before it was '%.60s'",
-                       n < 60 ? (int)n : 60, text, m->crs);
-    m->crs = il_strndup(text, n);
-    return m->crs ? IL_OK : il_fail_nomem(err);
+    char *copy = il_strndup(text, n);
+    il_status st = copy ? IL_OK : il_fail_nomem(err);
+    il_crs meaning;
+    il_crs_parse(copy, &meaning);
+    if (copy && m->crs && !il_crs_agree(&meaning, &m->meaning))
+        st = il_fail(err, IL_E_INPUT, line, "its coordinate system is '%.80s', and '%.60s' before it", copy, m->crs);
+    if (st != IL_OK || m->crs) {
+        il_free(copy);
+        return st;
+    }
+    m->crs = copy;
+    m->meaning = meaning;
+    return IL_OK;
 }
 
 void il_map_degrees(il_map_set *s)
@@ -239,6 +251,7 @@ static void free_set(il_map_set *s)
     il_free(m->line);
     il_free(m->xy);
     il_free(m->crs);
+    il_free(m->mark);
     il_free(m->file);
 }
 
@@ -259,6 +272,16 @@ static il_status parse_all(il_map_set *s, il_map_parse *parse, il_source *const 
 static il_status make_stack(il_map *m, il_sink *sink, il_error *err)
 {
     il_status st = il_map_find_heights(m, err);
+    if (st == IL_OK)
+        st = il_map_find_degrees(m, err);
+    if (st == IL_OK)
+        st = il_map_find_borders(m, err);
+    if (st == IL_OK)
+        st = il_map_settle_units(m, err);
+    if (st == IL_OK) {
+        il_map_measure(m);
+        st = il_map_project(m, err);
+    }
     if (st != IL_OK)
         il_error_set_file(err, m->file[0]);
     return st == IL_OK ? il_map_emit(m, sink, err) : st;

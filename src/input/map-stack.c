@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Lines in the order of height; those of one height as they came. */
 static int compare(const void *a, const void *b)
@@ -35,7 +36,7 @@ static bool add_line(const il_map *m, il_slice *s, const il_map_line *l)
     r->open = !l->closed;
     r->line = l->line;
     for (size_t k = l->begin; k < l->begin + l->n; k++)
-        if (!il_ring_add(r, m->xy[2 * k], m->xy[2 * k + 1], 0))
+        if (!il_ring_add(r, m->xy[2 * k], m->xy[2 * k + 1], m->mark ? m->mark[k] : 0))
             return false;
     return true;
 }
@@ -67,15 +68,24 @@ static il_status emit_levels(const il_map *m, il_map_line *const *sorted, size_t
     return st;
 }
 
+static bool set_crs(il_stack_head *head, const char *crs)
+{
+    char name[40];
+    const char *text = il_crs_short(crs, name, sizeof name);
+    head->crs = text ? il_strndup(text, strlen(text)) : NULL;
+    return !text || head->crs;
+}
+
 il_status il_map_emit(il_map *m, il_sink *sink, il_error *err)
 {
     il_stack_head head = IL_STACK_HEAD_INIT;
     size_t n = 0;
     head.kind = IL_KIND_TERRAIN;
-    head.unit = IL_UNIT_M;
+    head.unit = m->unit;
     head.line = 1;
     il_map_line **sorted = sort_lines(m, &n);
-    il_status st = sorted && il_stack_head_set_name(&head, "", 0) ? IL_OK : il_fail_nomem(err);
+    bool ok = sorted && il_stack_head_set_name(&head, "", 0) && set_crs(&head, m->crs);
+    il_status st = ok ? IL_OK : il_fail_nomem(err);
     if (st == IL_OK)
         st = sink->stack_begin(sink, &head, err);
     if (st == IL_OK)

@@ -54,3 +54,22 @@ bool il_map_value_parse(const char *s, size_t n, il_map_value *out)
         s++;
     return parse_unit(s, n, out);
 }
+
+/* Does a number start at S[K]?  A minus is a sign behind a blank only: "L-100". */
+static bool starts_number(const char *s, size_t n, size_t k)
+{
+    bool sign = (s[k] == '-' || s[k] == '+') && k + 1 < n && (k == 0 || is_blank(s[k - 1]));
+    return s[k + sign] >= '0' && s[k + sign] <= '9';
+}
+
+bool il_map_value_find(const char *s, size_t n, il_map_value *out)
+{
+    size_t found = 0;
+    if (il_map_value_parse(s, n, out))
+        return true;
+    for (size_t k = 0, used; k < n; k += used > 0 ? used : 1) {
+        used = starts_number(s, n, k) ? parse_number(s + k, n - k, &out->number) : 0;
+        found += used > 0;
+    }
+    return found == 1 && fabs(out->number) < IL_COORDINATE_BOUND;
+}

@@ -15,4 +15,8 @@ typedef struct il_map_value {
  * it is anything else. */
 bool il_map_value_parse(const char *text, size_t n, il_map_value *out);
 
+/* The same, but if TEXT is more than that, the one number in it ("Isoline_100 major");
+ * false when there are several. */
+bool il_map_value_find(const char *text, size_t n, il_map_value *out);
+
 #endif

@@ -1,0 +1,94 @@
+#include "config.h"
+#include "bridge/geographic.h"
+#include "bridge/guard.h"
+
+#include <GeographicLib/Geodesic.hpp>
+#include <GeographicLib/PolarStereographic.hpp>
+#include <GeographicLib/PolygonArea.hpp>
+#include <GeographicLib/TransverseMercator.hpp>
+#include <GeographicLib/TransverseMercatorExact.hpp>
+#include <GeographicLib/UTMUPS.hpp>
+
+#include <cmath>
+
+using namespace GeographicLib;
+
+/* Within this many degrees of its meridian the series is as good as exact. */
+static const double series_reach = 35;
+
+static bool is_near(const il_projection *p, const double *xy, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!(std::fabs(xy[2 * i] - p->lon0) <= series_reach))
+            return false;
+    return true;
+}
+
+template <class TM> static void forward(const TM &tm, const il_projection *p, double *xy, size_t n)
+{
+    double x0, y0;
+    tm.Forward(p->lon0, p->lat0, p->lon0, x0, y0);
+    for (size_t i = 0; i < n; i++) {
+        double x, y;
+        tm.Forward(p->lon0, xy[2 * i + 1], xy[2 * i], x, y);
+        xy[2 * i] = x + p->x0;
+        xy[2 * i + 1] = y - y0 + p->y0;
+    }
+}
+
+/* GeographicLib's meridian 0 points down from the north pole and up from the south. */
+static void forward_polar(const il_projection *p, double *xy, size_t n)
+{
+    PolarStereographic ps(p->ellipsoid.a, p->ellipsoid.f, p->k0);
+    for (size_t i = 0; i < n; i++) {
+        double x, y;
+        ps.Forward(p->north, xy[2 * i + 1], xy[2 * i] - p->lon0, x, y);
+        xy[2 * i] = x + p->x0;
+        xy[2 * i + 1] = y + p->y0;
+    }
+}
+
+static bool all_finite(const double *xy, size_t n)
+{
+    for (size_t i = 0; i < 2 * n; i++)
+        if (!std::isfinite(xy[i]))
+            return false;
+    return true;
+}
+
+il_status il_project_points(const il_projection *p, double *xy, size_t n, il_error *err)
+{
+    return guarded(err, [&] {
+        if (p->kind == IL_PROJECTION_STEREOGRAPHIC)
+            forward_polar(p, xy, n);
+        else if (is_near(p, xy, n))
+            forward(TransverseMercator(p->ellipsoid.a, p->ellipsoid.f, p->k0), p, xy, n);
+        else
+            forward(TransverseMercatorExact(p->ellipsoid.a, p->ellipsoid.f, p->k0), p, xy, n);
+        return all_finite(xy, n) ? IL_OK : il_fail(err, IL_E_INTERNAL, 0, "a point has no place in the projection");
+    });
+}
+
+int il_utm_zone(double lon, double lat)
+{
+    try {
+        return UTMUPS::StandardZone(lat, lon, UTMUPS::STANDARD);
+    } catch (const std::exception &) {
+        return 0;
+    }
+}
+
+void il_geodesic_measure(const il_ellipsoid *e, const double *xy, size_t n, bool closed, double *length, double *area)
+{
+    *length = *area = NAN;
+    guarded(NULL, [&] {
+        Geodesic g(e->a, e->f);
+        PolygonArea polygon(g, !closed);
+        for (size_t i = 0; i < n; i++)
+            polygon.AddPoint(xy[2 * i + 1], xy[2 * i]);
+        double a = 0;
+        polygon.Compute(false, true, *length, a);
+        *area = closed ? std::fabs(a) : 0;
+        return IL_OK;
+    });
+}

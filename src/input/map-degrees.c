@@ -1,0 +1,151 @@
+#include "config.h"
+#include "input/map-degrees.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* See the head of map-degrees.h. */
+static const double relief_most = 10;
+
+/* ---- what the numbers look like ---------------------------------------------- */
+
+static void measure(il_map *m)
+{
+    double *b = m->box;
+    b[0] = b[1] = INFINITY;
+    b[2] = b[3] = -INFINITY;
+    for (size_t i = 0; i < m->n_lines; i++) {
+        const il_map_line *l = &m->line[i];
+        for (size_t k = l->begin; k < l->begin + (il_map_takes_part(l) ? l->n : 0); k++) {
+            const double *p = m->xy + 2 * k;
+            b[0] = p[0] < b[0] ? p[0] : b[0];
+            b[1] = p[1] < b[1] ? p[1] : b[1];
+            b[2] = p[0] > b[2] ? p[0] : b[2];
+            b[3] = p[1] > b[3] ? p[1] : b[3];
+        }
+    }
+}
+
+/* Longitudes run from -180 or from 0; maps across the antimeridian a little beyond. */
+static bool can_be_degrees(const il_map *m)
+{
+    return m->box[0] >= -360 && m->box[2] <= 360 && m->box[2] - m->box[0] <= 360 && m->box[1] >= -90 && m->box[3] <= 90;
+}
+
+static double relief(const il_map *m)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < m->n_lines; i++) {
+        if (il_map_takes_part(&m->line[i])) {
+            low = fmin(low, m->line[i].height);
+            high = fmax(high, m->line[i].height);
+        }
+    }
+    return high - low;
+}
+
+static bool looks_like_degrees(const il_map *m)
+{
+    double width = fmax(m->box[2] - m->box[0], m->box[3] - m->box[1]);
+    return can_be_degrees(m) && relief(m) > relief_most * width;
+}
+
+/* ---- the decision -------------------------------------------------------------- */
+
+static il_status fail_impossible(const il_map *m, const char *asked, il_error *err)
+{
+    return il_fail(err, IL_E_INPUT, 0, "coordinates from %.9g, %.9g to %.9g, %.9g are no degrees, which %s asks for",
+                   m->box[0], m->box[1], m->box[2], m->box[3], asked);
+}
+
+static void tell_disbelief(const il_map *m)
+{
+    bool swapped = m->box[1] >= -180 && m->box[3] <= 180 && m->box[0] >= -90 && m->box[2] <= 90;
+    il_report_note(m->report, "labelled as degrees%s%.40s%s, which coordinates from %.9g, %.9g to %.9g, %.9g cannot be%s: taken as lengths",
+                   m->crs ? " (" : "", m->crs ? m->crs : "", m->crs ? ")" : "", m->box[0], m->box[1], m->box[2], m->box[3],
+                   swapped ? " (are x and y exchanged?)" : "");
+}
+
+/* What the user says counts first, then what the files say, then how it looks. */
+static il_status decide(il_map *m, il_error *err)
+{
+    const il_read_options *o = m->options;
+    bool asked = o->map.project == IL_PROJECT_UTM || o->map.project == IL_PROJECT_TM;
+    bool labelled = m->degrees || m->meaning.kind == IL_CRS_GEOGRAPHIC;
+    bool lengths = m->meaning.kind == IL_CRS_PROJECTED || m->meaning.kind == IL_CRS_LOCAL || m->has_unit;
+    m->degrees = false;
+    if (o->has_unit && o->unit != IL_UNIT_DEG)
+        return asked ? il_fail(err, IL_E_USAGE, 0, "--project has nothing to project where --unit says lengths") : IL_OK;
+    if (o->has_unit || (asked && !labelled)) {
+        const char *by = o->has_unit ? "--unit deg" : "--project";
+        if (!o->has_unit && lengths)
+            return il_fail(err, IL_E_INPUT, 0, "its coordinates are lengths already (%.60s): --project has nothing to project",
+                           m->crs ? m->crs : "by their unit");
+        m->degrees = can_be_degrees(m);
+        return m->degrees ? IL_OK : fail_impossible(m, by, err);
+    }
+    m->degrees = labelled ? can_be_degrees(m) : !lengths && looks_like_degrees(m);
+    if (labelled && !m->degrees && asked)
+        return fail_impossible(m, "--project", err);
+    if (labelled && !m->degrees)
+        tell_disbelief(m);
+    else if (!labelled && m->degrees)
+        il_report_note(m->report, "no coordinate system given; numbers and relief are those of degrees, "
+                                  "so they are taken as such (--unit m: as metres)");
+    return IL_OK;
+}
+
+/* ---- one run of longitudes ------------------------------------------------------ */
+
+enum { BINS = 3600 };
+
+/* Where on the circle, 0 to 360, the longest stretch without a point ends; -1 when
+ * there is none of note. */
+static double find_start(const il_map *m)
+{
+    bool used[BINS] = { false };
+    for (size_t i = 0; i < m->n_lines; i++) {
+        const il_map_line *l = &m->line[i];
+        for (size_t k = l->begin; k < l->begin + (il_map_takes_part(l) ? l->n : 0); k++) {
+            double turn = m->xy[2 * k] / 360;
+            size_t bin = (size_t)((turn - floor(turn)) * BINS);
+            used[bin < BINS ? bin : BINS - 1] = true;
+        }
+    }
+    size_t longest = 0, end = 0, run = 0;
+    for (size_t k = 0; k < (size_t)2 * BINS; k++) {
+        run = used[k % BINS] ? 0 : run + 1;
+        if (run > longest && run <= BINS) {
+            longest = run;
+            end = k + 1;
+        }
+    }
+    return longest > 1 ? (double)(end % BINS) * 360 / BINS : -1;
+}
+
+/* Bring all longitudes into one turn that begins in the stretch before START: half a bin
+ * before it, out of the way of what rounding does to points at its end. */
+static void turn_longitudes(il_map *m, double start)
+{
+    double first = (start > 180 ? start - 360 : start) - 180.0 / BINS;
+    for (size_t i = 0; i < m->n_lines; i++) {
+        const il_map_line *l = &m->line[i];
+        for (size_t k = l->begin; k < l->begin + l->n; k++)
+            m->xy[2 * k] -= 360 * floor((m->xy[2 * k] - first) / 360);
+    }
+}
+
+il_status il_map_find_degrees(il_map *m, il_error *err)
+{
+    measure(m);
+    il_status st = decide(m, err);
+    if (st != IL_OK || !m->degrees || m->box[2] - m->box[0] <= 180)
+        return st;
+    double start = find_start(m);
+    if (start < 0)
+        return IL_OK;
+    turn_longitudes(m, start);
+    measure(m);
+    return IL_OK;
+}

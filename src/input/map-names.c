@@ -1,0 +1,106 @@
+#include "config.h"
+#include "input/map-names.h"
+
+#include <string.h>
+
+enum { NAME_MOST = 64 };
+
+/* In order of rank.  DRVAL1 and DRVAL2, VALDCO: depths in charts of the IHO's S-57;
+ * propvalue: Ordnance Survey. */
+static const struct { const char *word; bool is_depth; } usual[] = {
+    { "elev", false }, { "elevation", false }, { "ele", false }, { "height", false }, { "contour", false },
+    { "contourelevation", false }, { "level", false }, { "z", false }, { "alt", false }, { "altitude", false },
+    { "hoogte", false }, { "hoehe", false }, { "h\xC3\xB6he", false }, { "h\xC3\x96he", false }, { "cota", false },
+    { "quota", false }, { "kote", false }, { "altitud", false }, { "propvalue", false }, { "propertyvalue", false },
+    { "depth", true }, { "isobath", true }, { "valdco", true }, { "drval", true } };
+
+static const struct { const char *word; il_unit unit; } units[] = {
+    { "m", IL_UNIT_M }, { "metre", IL_UNIT_M }, { "metres", IL_UNIT_M }, { "meter", IL_UNIT_M }, { "meters", IL_UNIT_M },
+    { "ft", IL_UNIT_FT }, { "foot", IL_UNIT_FT }, { "feet", IL_UNIT_FT }, { "km", IL_UNIT_KM }, { "cm", IL_UNIT_CM },
+    { "mm", IL_UNIT_MM } };
+
+static const struct { const char *word; il_map_end end; } ends[] = {
+    { "min", IL_MAP_END_LOW }, { "low", IL_MAP_END_LOW }, { "lower", IL_MAP_END_LOW }, { "from", IL_MAP_END_LOW },
+    { "max", IL_MAP_END_HIGH }, { "high", IL_MAP_END_HIGH }, { "upper", IL_MAP_END_HIGH }, { "to", IL_MAP_END_HIGH },
+    { "1", IL_MAP_END_LOW }, { "2", IL_MAP_END_HIGH } };
+
+static bool is_word(const char *s, size_t n, const char *word)
+{
+    return strlen(word) == n && memcmp(s, word, n) == 0;
+}
+
+static bool take_usual(const char *s, size_t n, il_map_name *out)
+{
+    for (size_t k = 0; k < sizeof usual / sizeof *usual; k++) {
+        if (is_word(s, n, usual[k].word)) {
+            out->rank = out->rank < 0 || (int)k < out->rank ? (int)k : out->rank;
+            out->is_depth |= usual[k].is_depth;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool take_unit(const char *s, size_t n, il_map_name *out)
+{
+    for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
+        if (is_word(s, n, units[k].word)) {
+            out->has_unit = true;
+            out->unit = units[k].unit;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool take_end(const char *s, size_t n, il_map_name *out)
+{
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+        if (is_word(s, n, ends[k].word)) {
+            out->end = ends[k].end;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* One word, or two without anything between them: ELEVMIN, DRVAL1. */
+static bool take_word(const char *s, size_t n, il_map_name *out)
+{
+    if (take_usual(s, n, out) || take_unit(s, n, out) || take_end(s, n, out))
+        return true;
+    for (size_t k = 1; k < n; k++) {
+        il_map_name both = *out;
+        if (take_usual(s, k, &both) && take_end(s + k, n - k, &both)) {
+            *out = both;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_joint(char c)
+{
+    return c == '_' || c == '-' || c == '.' || c == ' ' || c == '(' || c == ')' || c == '[' || c == ']';
+}
+
+/* The two heights of a band may be called just that: min, max. */
+bool il_map_name_read(const char *name, size_t n, il_map_name *out)
+{
+    char s[NAME_MOST];
+    const int least_rank = sizeof usual / sizeof *usual;
+    *out = (il_map_name){ .rank = -1 };
+    if (n == 0 || n > sizeof s)
+        return false;
+    for (size_t k = 0; k < n; k++)
+        s[k] = name[k] >= 'A' && name[k] <= 'Z' ? (char)(name[k] - 'A' + 'a') : name[k];
+    for (size_t begin = 0, end; begin < n; begin = end + 1) {
+        for (end = begin; end < n && !is_joint(s[end]);)
+            end++;
+        if (end > begin && !take_word(s + begin, end - begin, out))
+            return false;
+    }
+    if (out->rank < 0 && out->end != IL_MAP_END_NONE)
+        out->rank = least_rank;
+    return out->rank >= 0;
+}

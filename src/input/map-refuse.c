@@ -1,0 +1,106 @@
+#include "config.h"
+#include "input/map-refuse.h"
+#include "base/number.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LIST_MOST = 300, NAME_MOST = 40 };
+
+static void append(char *to, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static void append(char *to, size_t size, const char *format, ...)
+{
+    size_t n = strlen(to);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(to + n, size - n, format, args);
+    va_end(args);
+}
+
+/* "; its attributes are ID, name", or that it has none. */
+static void list_attributes(const il_map *m, char *to, size_t size)
+{
+    size_t shown = 0, n = 0;
+    *to = '\0';
+    for (size_t k = 0; k < m->n_columns; k++)
+        n += !m->column[k].is_place;
+    if (n == 0)
+        append(to, size, "; features have no attributes");
+    for (size_t k = 0; k < m->n_columns && strlen(to) + NAME_MOST + 20 < size; k++) {
+        if (m->column[k].is_place)
+            continue;
+        append(to, size, "%s%.*s", shown == 0 ? "; attributes: " : ", ", NAME_MOST, m->column[k].name);
+        shown++;
+    }
+    if (shown < n)
+        append(to, size, " and %zu more", n - shown);
+}
+
+static il_status name_file(const il_map *m, const il_map_line *l, il_error *err)
+{
+    il_error_set_file(err, l ? il_map_file_of(m, l) : m->file[0]);
+    return IL_E_INPUT;
+}
+
+il_status il_map_refuse_no_lines(const il_map *m, il_error *err)
+{
+    il_fail(err, IL_E_INPUT, 0, "has no lines and no polygons, so no isolines");
+    return name_file(m, NULL, err);
+}
+
+il_status il_map_refuse_name(const il_map *m, const char *name, il_error *err)
+{
+    char list[LIST_MOST];
+    list_attributes(m, list, sizeof list);
+    il_fail(err, IL_E_INPUT, 0, "no feature has '%.60s' (--height)%s", name, list);
+    return name_file(m, NULL, err);
+}
+
+/* The first line along which z varies, or null. */
+static const il_map_line *first_varying(const il_map *m)
+{
+    for (size_t i = 0; i < m->n_lines; i++)
+        if (m->line[i].n_z > 0 && m->line[i].z_low < m->line[i].z_high)
+            return &m->line[i];
+    return NULL;
+}
+
+il_status il_map_refuse_no_heights(const il_map *m, il_error *err)
+{
+    char list[LIST_MOST], low[IL_NUMBER_MAX], high[IL_NUMBER_MAX];
+    const il_map_line *l = first_varying(m);
+    list_attributes(m, list, sizeof list);
+    if (l) {
+        il_number_format(low, l->z_low);
+        il_number_format(high, l->z_high);
+        il_fail(err, IL_E_INPUT, l->line, "is no isoline but a track or profile: its height varies from %s to %s%s",
+                low, high, list);
+    } else {
+        il_fail(err, IL_E_INPUT, 0, "has no heights: no attribute of a usual name with numbers, no z%s (--height NAME names one)", list);
+    }
+    return name_file(m, l, err);
+}
+
+il_status il_map_refuse_one_level(const il_map *m, double level, il_error *err)
+{
+    char at[IL_NUMBER_MAX], place[LIST_MOST];
+    il_number_format(at, level);
+    il_fail(err, IL_E_INPUT, 0, "has one level only, %s (%s), which does not tell where the ground is higher: "
+            "--high left|right says on which side of the lines", at, il_map_place_words(m, place, sizeof place));
+    return name_file(m, NULL, err);
+}
+
+const char *il_map_place_words(const il_map *m, char *to, size_t size)
+{
+    const il_map_where *p = &m->place;
+    *to = '\0';
+    if (p->kind == IL_MAP_Z)
+        append(to, size, "z coordinates");
+    else if (p->kind == IL_MAP_BAND)
+        append(to, size, "attributes '%.60s' and '%.60s'", m->column[p->low].name, m->column[p->high].name);
+    else
+        append(to, size, "%s '%.60s'", m->column[p->low].is_place ? "the text in" : "attribute", m->column[p->low].name);
+    return to;
+}

@@ -2,6 +2,7 @@
 #include "samples.h"
 #include "output/writer.h"
 #include "region/clean.h"
+#include "region/joiner.h"
 #include "region/keyhole.h"
 
 #include <dirent.h>
@@ -100,22 +101,26 @@ static il_status on_end(il_sink *self, il_error *err)
 static il_output *read_sample(const sample *s, const char *text, size_t n, il_error *err)
 {
     const il_clean_options clean = { .keyhole = s->kind->reader->is_patient ? IL_KEYHOLE_MM : 0, .keyhole_is_mm = true };
+    const il_join_options join = { 0 };
     const il_read_options defaults = IL_READ_OPTIONS_INIT;
     il_read_options o = s->kind->options ? s->kind->options(text) : defaults;
     il_source *source = NULL;
     il_output *out = NULL;
-    il_sink *writer = NULL, *cleaner = NULL;
+    il_sink *writer = NULL, *joiner = NULL, *cleaner = NULL;
     il_status st = il_source_from_memory(&source, text, n, s->name, err);
     if (st == IL_OK)
         st = il_output_to_memory(&out, err);
     if (st == IL_OK)
         st = il_writer_loft.contours_new(&writer, out, err);
     if (st == IL_OK)
-        st = il_cleaner_new(&cleaner, &clean, writer, NULL, err);
+        st = il_joiner_new(&joiner, &join, writer, NULL, err);
+    if (st == IL_OK)
+        st = il_cleaner_new(&cleaner, &clean, joiner, NULL, err);
     guard g = { { on_stack, on_slice, on_pair, on_stack_end, on_end }, cleaner };
     if (st == IL_OK)
         st = s->kind->reader->read(&source, 1, &o, &g.sink, NULL, err);
     il_cleaner_free(cleaner);
+    il_joiner_free(joiner);
     il_writer_loft.contours_free(writer);
     il_source_close(source);
     if (st == IL_OK)

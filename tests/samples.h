@@ -1,5 +1,5 @@
 /* samples.h - the samples of a format's specification as test cases: each is read
- * as `isoloft read` does, reader, cleaning, native writer. */
+ * as `isoloft read` does, reader, cleaning, joining, native writer. */
 #ifndef IL_TESTS_SAMPLES_H
 #define IL_TESTS_SAMPLES_H
 

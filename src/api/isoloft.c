@@ -1,6 +1,6 @@
 /* isoloft.c - isoloft.h: the stages put together for a caller's program.
  *
- *     reader or arrays > clean > [gaps] > match > [round] > lofter > tally > writer or arrays
+ *     reader or arrays > clean > join > [gaps] > match > [round] > lofter > tally > writer or arrays
  *
  * As in the command, rounding for formats of 32-bit floats is a cleaning stage
  * of its own behind the matching, so that both give the same bytes. */
@@ -19,6 +19,7 @@
 #include "output/writer.h"
 #include "region/clean.h"
 #include "region/gapper.h"
+#include "region/joiner.h"
 #include "region/keyhole.h"
 
 #include <stdio.h>
@@ -48,7 +49,7 @@ typedef struct work {
     il_mesh_sink *mesh_writer;
     il_solids_sink solids;
     tally tally;
-    il_sink *lofter, *rounder, *matcher, *gapper, *cleaner, *first;
+    il_sink *lofter, *rounder, *matcher, *gapper, *joiner, *cleaner, *first;
     il_refit *refit;
     il_report report, rounding;
 } work;
@@ -232,6 +233,12 @@ static il_status build_gapper(work *w, il_error *err)
     return il_gapper_new(&w->gapper, &g, w->matcher, &w->report, err);
 }
 
+static il_status build_joiner(work *w, il_error *err)
+{
+    const il_join_options ends_meet = { 0 };
+    return il_joiner_new(&w->joiner, &ends_meet, w->gapper ? w->gapper : w->matcher, &w->report, err);
+}
+
 /* Last to first, for a stage is given the next one. */
 static il_status build_stages(work *w, il_error *err)
 {
@@ -251,7 +258,9 @@ static il_status build_stages(work *w, il_error *err)
     if (st == IL_OK)
         st = build_gapper(w, err);
     if (st == IL_OK)
-        st = il_cleaner_new(&w->cleaner, &as_is, w->gapper ? w->gapper : w->matcher, &w->report, err);
+        st = build_joiner(w, err);
+    if (st == IL_OK)
+        st = il_cleaner_new(&w->cleaner, &as_is, w->joiner, &w->report, err);
     w->first = w->cleaner;
     return st;
 }
@@ -259,6 +268,7 @@ static il_status build_stages(work *w, il_error *err)
 static void free_work(work *w)
 {
     il_cleaner_free(w->cleaner);
+    il_joiner_free(w->joiner);
     il_gapper_free(w->gapper);
     if (w->matcher)
         il_matcher_free(w->matcher);

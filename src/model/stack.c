@@ -245,6 +245,8 @@ il_status il_slice_copy(il_slice *to, const il_slice *from, il_error *err)
     *to = (il_slice)IL_SLICE_INIT;
     to->z = from->z;
     to->line = from->line;
+    to->length = from->length;
+    to->area = from->area;
     bool ok = copy_extra(&to->extra, from->extra);
     for (size_t i = 0; ok && i < from->n; i++) {
         il_ring *r = il_slice_add_ring(to);

@@ -25,7 +25,8 @@ typedef struct il_attribute { char *key, *value; } il_attribute;
  * a stack with a fault has no slices.  usual_spacing: of the slices of the set
  * that it came from, 0 when that is not known; for those that have no other.
  * length_scale: what its lengths were multiplied by since they were read, 0 where
- * they were not. */
+ * they were not.  geographic: west, south, east and north of what was projected, in
+ * degrees; the native format does not carry it. */
 typedef struct il_stack_head {
     char *name;
     char *crs;
@@ -36,6 +37,8 @@ typedef struct il_stack_head {
     il_unit unit;
     double frame[12];
     double usual_spacing, length_scale;
+    bool has_geographic;
+    double geographic[4];
     char *fault;
     long fault_line;
     il_attribute *attribute;
@@ -71,16 +74,19 @@ bool il_stack_head_add_attribute(il_stack_head *h, const char *key, const char *
  * not those of the format that they came from: "RAS". */
 #define IL_ATTRIBUTE_COORDINATES "coordinates"
 
-/* One plane with its rings; z in the stack's unit. */
+/* One plane with its rings; z in the stack's unit.  length, area: on the ellipsoid,
+ * m and m^2, summed over its lines, the area of what each closed one encloses; 0 when
+ * not measured. */
 typedef struct il_slice {
     double z;
     il_ring *ring;
     size_t n, cap;
     long line;
     il_extra *extra;
+    double length, area;
 } il_slice;
 
-#define IL_SLICE_INIT { 0, NULL, 0, 0, 0, NULL }
+#define IL_SLICE_INIT { 0, NULL, 0, 0, 0, NULL, 0, 0 }
 
 void il_slice_free(il_slice *s); /* with its rings; leaves IL_SLICE_INIT */
 /* Append an empty ring; null when there is no memory. */

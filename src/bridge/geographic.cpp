@@ -16,10 +16,20 @@ using namespace GeographicLib;
 /* Within this many degrees of its meridian the series is as good as exact. */
 static const double series_reach = 35;
 
+/* Points within reach of the series, by their longitudes or by their metres. */
 static bool is_near(const il_projection *p, const double *xy, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         if (!(std::fabs(xy[2 * i] - p->lon0) <= series_reach))
+            return false;
+    return true;
+}
+
+static bool is_near_in_plane(const il_projection *p, const double *xy, size_t n)
+{
+    const double reach = 0.5 * p->ellipsoid.a * p->k0; /* at the equator 28 degrees, and fewer metres beyond */
+    for (size_t i = 0; i < n; i++)
+        if (!(std::fabs(xy[2 * i] - p->x0) <= reach))
             return false;
     return true;
 }
@@ -36,6 +46,19 @@ template <class TM> static void forward(const TM &tm, const il_projection *p, do
     }
 }
 
+/* Longitudes come back between -180 and 180, and are brought next to lon0. */
+template <class TM> static void reverse(const TM &tm, const il_projection *p, double *xy, size_t n)
+{
+    double x0, y0;
+    tm.Forward(p->lon0, p->lat0, p->lon0, x0, y0);
+    for (size_t i = 0; i < n; i++) {
+        double lat, lon;
+        tm.Reverse(0, xy[2 * i] - p->x0, xy[2 * i + 1] - p->y0 + y0, lat, lon);
+        xy[2 * i] = lon + p->lon0;
+        xy[2 * i + 1] = lat;
+    }
+}
+
 /* GeographicLib's meridian 0 points down from the north pole and up from the south. */
 static void forward_polar(const il_projection *p, double *xy, size_t n)
 {
@@ -48,24 +71,50 @@ static void forward_polar(const il_projection *p, double *xy, size_t n)
     }
 }
 
-static bool all_finite(const double *xy, size_t n)
+static void reverse_polar(const il_projection *p, double *xy, size_t n)
+{
+    PolarStereographic ps(p->ellipsoid.a, p->ellipsoid.f, p->k0);
+    for (size_t i = 0; i < n; i++) {
+        double lat, lon;
+        ps.Reverse(p->north, xy[2 * i] - p->x0, xy[2 * i + 1] - p->y0, lat, lon);
+        xy[2 * i] = lon + p->lon0;
+        xy[2 * i + 1] = lat;
+    }
+}
+
+static il_status check_finite(const double *xy, size_t n, il_error *err)
 {
     for (size_t i = 0; i < 2 * n; i++)
         if (!std::isfinite(xy[i]))
-            return false;
-    return true;
+            return il_fail(err, IL_E_INTERNAL, 0, "a point has no place in the projection");
+    return IL_OK;
 }
 
 il_status il_project_points(const il_projection *p, double *xy, size_t n, il_error *err)
 {
     return guarded(err, [&] {
+        const il_ellipsoid &e = p->ellipsoid;
         if (p->kind == IL_PROJECTION_STEREOGRAPHIC)
             forward_polar(p, xy, n);
         else if (is_near(p, xy, n))
-            forward(TransverseMercator(p->ellipsoid.a, p->ellipsoid.f, p->k0), p, xy, n);
+            forward(TransverseMercator(e.a, e.f, p->k0), p, xy, n);
         else
-            forward(TransverseMercatorExact(p->ellipsoid.a, p->ellipsoid.f, p->k0), p, xy, n);
-        return all_finite(xy, n) ? IL_OK : il_fail(err, IL_E_INTERNAL, 0, "a point has no place in the projection");
+            forward(TransverseMercatorExact(e.a, e.f, p->k0), p, xy, n);
+        return check_finite(xy, n, err);
+    });
+}
+
+il_status il_unproject_points(const il_projection *p, double *xy, size_t n, il_error *err)
+{
+    return guarded(err, [&] {
+        const il_ellipsoid &e = p->ellipsoid;
+        if (p->kind == IL_PROJECTION_STEREOGRAPHIC)
+            reverse_polar(p, xy, n);
+        else if (is_near_in_plane(p, xy, n))
+            reverse(TransverseMercator(e.a, e.f, p->k0), p, xy, n);
+        else
+            reverse(TransverseMercatorExact(e.a, e.f, p->k0), p, xy, n);
+        return check_finite(xy, n, err);
     });
 }
 

@@ -38,6 +38,9 @@ typedef struct il_projection {
  * place, IL_E_NOMEM. */
 il_status il_project_points(const il_projection *p, double *xy, size_t n, il_error *err);
 
+/* And back: metres to degrees, in the turn of longitudes around lon0. */
+il_status il_unproject_points(const il_projection *p, double *xy, size_t n, il_error *err);
+
 /* The zone of UTM, 1 to 60 with the exceptions of Norway and Svalbard, that (lon, lat)
  * lies in, 0 beyond 84 north and 80 south, where UPS holds. */
 int il_utm_zone(double lon, double lat);

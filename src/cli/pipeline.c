@@ -16,6 +16,7 @@
 #include "region/clean.h"
 #include "region/joiner.h"
 #include "region/keyhole.h"
+#include "region/measure.h"
 
 #include <string.h>
 #include <sys/resource.h>
@@ -30,7 +31,7 @@ typedef struct pipeline {
     const il_reader *reader;
     il_destination *destination;
     il_output *pairs;
-    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *gapper, *joiner, *cleaner, *ras, *rescaler, *select, *first;
+    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler, *select, *first;
     il_refit *refit;
     il_sink nowhere;
     il_mesh_sink nowhere_mesh;
@@ -192,6 +193,16 @@ static il_status build_gapper(pipeline *p, il_error *err)
     return st;
 }
 
+/* Geodesics take longer than reading: for those who ask only. */
+static il_status build_measure(pipeline *p, il_error *err)
+{
+    if (!p->plan->survey)
+        return IL_OK;
+    il_status st = il_measure_new(&p->measure, p->first, err);
+    p->first = st == IL_OK ? p->measure : p->first;
+    return st;
+}
+
 static il_status build_joiner(pipeline *p, il_error *err)
 {
     if (p->plan->draw)
@@ -248,7 +259,7 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_matcher, build_gapper, build_joiner, build_cleaner, build_ras, build_rescaler, build_select };
+        build_rounder, build_tee, build_matcher, build_gapper, build_measure, build_joiner, build_cleaner, build_ras, build_rescaler, build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
     p->first = il_account_contours(p->account, end);
@@ -266,6 +277,7 @@ static void free_pipeline(pipeline *p)
     if (p->cleaner)
         il_cleaner_free(p->cleaner);
     il_joiner_free(p->joiner);
+    il_measure_free(p->measure);
     il_gapper_free(p->gapper);
     il_matcher_free(p->matcher);
     il_refit_free(p->refit);

@@ -21,13 +21,11 @@
  * repeated at the end where it is closed.  z_low, z_high: of its points' z; n_z of
  * them had one.  feature, file: indices; line: in the file, 0 unknown.
  * height: as decided, NAN until then and for lines that are left out; upper: for bands,
- * whose height is their lower one, NAN for others.  length, area: on the ellipsoid, m and
- * m^2, if that was asked for and is known. */
+ * whose height is their lower one, NAN for others. */
 typedef struct il_map_line {
     size_t begin, n, n_z;
     double z_low, z_high;
     double height, upper;
-    double length, area;
     long line;
     uint32_t feature, file;
     unsigned char kind;         /* il_map_part */
@@ -70,6 +68,8 @@ typedef struct il_map {
     bool has_unit;
     il_unit unit;               /* of x, y and z; since map-units: of the stack */
     il_map_where place;      /* since map-heights */
+    bool is_projected;
+    il_projection projection;   /* what made metres of degrees, if anything did */
     unsigned char *mark;        /* a point each, IL_VERTEX_...; null: none has one */
     double box[4];              /* since map-degrees: least x, y, greatest x, y of lines with a height */
 } il_map;

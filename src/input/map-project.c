@@ -166,17 +166,8 @@ il_status il_map_project(il_map *m, il_error *err)
     il_free(m->crs);
     m->crs = crs;
     m->unit = IL_UNIT_M;
+    m->is_projected = true;
+    m->projection = p;
     tell(m, &d, name);
     return IL_OK;
-}
-
-void il_map_measure(il_map *m)
-{
-    if (!m->degrees || !m->options->map.measure)
-        return;
-    for (size_t i = 0; i < m->n_lines; i++) {
-        il_map_line *l = &m->line[i];
-        if (il_map_takes_part(l))
-            il_geodesic_measure(&m->meaning.ellipsoid, m->xy + 2 * l->begin, l->n, l->closed, &l->length, &l->area);
-    }
 }

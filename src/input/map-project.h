@@ -19,8 +19,4 @@ il_status il_map_choose_projection(const il_map *m, il_projection *p, char *name
  * Where degrees stay, nothing is done.  Reported.  IL_E_INPUT, IL_E_NOMEM. */
 il_status il_map_project(il_map *m, il_error *err);
 
-/* Length and area of each line on the ellipsoid, if they are asked for and M is in
- * degrees. */
-void il_map_measure(il_map *m);
-
 #endif

@@ -278,10 +278,8 @@ static il_status make_stack(il_map *m, il_sink *sink, il_error *err)
         st = il_map_find_borders(m, err);
     if (st == IL_OK)
         st = il_map_settle_units(m, err);
-    if (st == IL_OK) {
-        il_map_measure(m);
+    if (st == IL_OK)
         st = il_map_project(m, err);
-    }
     if (st != IL_OK)
         il_error_set_file(err, m->file[0]);
     return st == IL_OK ? il_map_emit(m, sink, err) : st;

@@ -83,6 +83,9 @@ il_status il_map_emit(il_map *m, il_sink *sink, il_error *err)
     head.kind = IL_KIND_TERRAIN;
     head.unit = m->unit;
     head.line = 1;
+    head.has_geographic = m->is_projected;
+    head.projection = m->projection;
+    memcpy(head.geographic, m->box, sizeof head.geographic);
     il_map_line **sorted = sort_lines(m, &n);
     bool ok = sorted && il_stack_head_set_name(&head, "", 0) && set_crs(&head, m->crs);
     il_status st = ok ? IL_OK : il_fail_nomem(err);

@@ -4,6 +4,7 @@
 
 #include "model/ring.h"
 #include "base/status.h"
+#include "bridge/geographic.h"
 
 typedef enum il_kind { IL_KIND_SOLID, IL_KIND_TERRAIN } il_kind;
 
@@ -25,8 +26,9 @@ typedef struct il_attribute { char *key, *value; } il_attribute;
  * a stack with a fault has no slices.  usual_spacing: of the slices of the set
  * that it came from, 0 when that is not known; for those that have no other.
  * length_scale: what its lengths were multiplied by since they were read, 0 where
- * they were not.  geographic: west, south, east and north of what was projected, in
- * degrees; the native format does not carry it. */
+ * they were not.  has_geographic: it was in degrees, from west, south, east and
+ * north as in geographic, and `projection` made metres of them; the native format does
+ * not carry that. */
 typedef struct il_stack_head {
     char *name;
     char *crs;
@@ -38,6 +40,7 @@ typedef struct il_stack_head {
     double frame[12];
     double usual_spacing, length_scale;
     bool has_geographic;
+    il_projection projection;
     double geographic[4];
     char *fault;
     long fault_line;

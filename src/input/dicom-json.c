@@ -303,34 +303,20 @@ static il_status read_all(il_source *const *source, size_t n, const il_read_opti
 
 /* ---- telling it apart --------------------------------------------------------------- */
 
-static size_t skip_blanks(const char *s, size_t n, size_t i)
-{
-    while (i < n && (s[i] == ' ' || s[i] == '\t' || s[i] == '\n' || s[i] == '\r'))
-        i++;
-    return i;
-}
-
-/* Behind blanks at S[I..N) stands C; where it ends, 0 when it does not stand there. */
-static size_t behind(const char *s, size_t n, size_t i, char c)
-{
-    i = skip_blanks(s, n, i);
-    return i < n && s[i] == c ? i + 1 : 0;
-}
-
 /* An object, or an array of them, whose first key is a tag with an object. */
 static bool probe(const unsigned char *head, size_t n)
 {
     const char *s = (const char *)head;
     uint32_t tag;
-    size_t i = n >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? 3 : 0, list = behind(s, n, i, '[');
-    i = behind(s, n, list ? list : i, '{');
-    if (i == 0 || (i = behind(s, n, i, '"')) == 0 || n - i < TAG_LENGTH || !il_rt_parse_tag(s + i, TAG_LENGTH, TAG_FORM, &tag))
+    size_t i = n >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? 3 : 0, list = il_json_behind(s, n, i, '[');
+    i = il_json_behind(s, n, list ? list : i, '{');
+    if (i == 0 || (i = il_json_behind(s, n, i, '"')) == 0 || n - i < TAG_LENGTH || !il_rt_parse_tag(s + i, TAG_LENGTH, TAG_FORM, &tag))
         return false;
     i += TAG_LENGTH;
     if (i >= n || s[i] != '"')
         return false;
-    i = behind(s, n, i + 1, ':');
-    return i > 0 && behind(s, n, i, '{') > 0;
+    i = il_json_behind(s, n, i + 1, ':');
+    return i > 0 && il_json_behind(s, n, i, '{') > 0;
 }
 
 const il_reader il_reader_dicom_json = {

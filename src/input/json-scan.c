@@ -512,3 +512,16 @@ il_status il_json_scan_skip(il_json_scan *j, il_json_event event, il_error *err)
         st = il_json_scan_next(j, &event, err);
     return st;
 }
+
+size_t il_json_skip_blanks(const char *s, size_t n, size_t i)
+{
+    while (i < n && kind[(unsigned char)s[i]] & BLANK)
+        i++;
+    return i;
+}
+
+size_t il_json_behind(const char *s, size_t n, size_t i, char c)
+{
+    i = il_json_skip_blanks(s, n, i);
+    return i < n && s[i] == c ? i + 1 : 0;
+}

@@ -76,4 +76,9 @@ il_status il_json_scan_skip(il_json_scan *j, il_json_event event, il_error *err)
 /* The value of the number last given; false when no finite double has it. */
 bool il_json_scan_value(const il_json_scan *j, double *value);
 
+/* For telling texts apart: where the blanks at S[I..N) end; and behind them stands C:
+ * where it ends, 0 when it does not stand there. */
+size_t il_json_skip_blanks(const char *s, size_t n, size_t i);
+size_t il_json_behind(const char *s, size_t n, size_t i, char c);
+
 #endif

@@ -96,6 +96,7 @@ il_status il_map_end_part(il_map_set *s, il_error *err)
     } else if (meets) {
         m->n--;
         l->n--;
+        l->n_z -= l->n_z > l->n;
     }
     l->closed = meets || l->kind == IL_MAP_RING;
     return IL_OK;
@@ -105,7 +106,7 @@ il_status il_map_end_part(il_map_set *s, il_error *err)
 
 static bool same_name(const char *a, const char *b, size_t n)
 {
-    return strncmp(a, b, n) == 0 && a[n] == '\0';
+    return strlen(a) == n && memcmp(a, b, n) == 0; /* B may hold zero bytes */
 }
 
 /* The index of the column NAME, made when it is new; n_columns when it cannot be. */

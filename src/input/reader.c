@@ -6,7 +6,8 @@
 #include <string.h>
 
 const il_reader *const il_readers[] = {
-    &il_reader_loft, &il_reader_dcmdump, &il_reader_dicom_json, &il_reader_dicom_xml, &il_reader_svg, NULL };
+    &il_reader_loft, &il_reader_dcmdump, &il_reader_dicom_json, &il_reader_dicom_xml, &il_reader_svg,
+    &il_reader_geojsonseq, &il_reader_geojson, NULL };
 
 const il_reader *il_reader_named(const char *name)
 {

@@ -35,8 +35,18 @@ static void set_ellipsoid(il_crs *c, const il_ellipsoid *e)
     c->ellipsoid = *e;
 }
 
-/* EPSG numbers its geographic systems from 4000 on; those from 32600 are the zones
- * of WGS 84, in metres. */
+/* The zones of UTM on WGS 84, ETRS89, NAD83, NAD27 and ED50, and Web Mercator. */
+static bool is_metric(long code)
+{
+    static const long ranges[][2] = { { 32601, 32660 }, { 32701, 32760 }, { 25828, 25838 }, { 26901, 26923 },
+                                      { 26701, 26722 }, { 23028, 23038 }, { 3857, 3857 } };
+    for (size_t k = 0; k < sizeof ranges / sizeof *ranges; k++)
+        if (code >= ranges[k][0] && code <= ranges[k][1])
+            return true;
+    return false;
+}
+
+/* EPSG numbers its geographic systems from 4000 on. */
 static void take_epsg(long code, il_crs *c)
 {
     c->epsg = code;
@@ -48,6 +58,8 @@ static void take_epsg(long code, il_crs *c)
     }
     if (c->kind == IL_CRS_UNKNOWN && (code < 4001 || code > 4999))
         c->kind = IL_CRS_PROJECTED;
+    c->has_unit = is_metric(code);
+    c->unit = IL_UNIT_M;
 }
 
 /* The digits that end TEXT[0..N) as a number, or 0. */

@@ -290,6 +290,7 @@ il_status il_map_read(const char *format, il_map_parse *parse, il_source *const 
                       const il_read_options *options, il_sink *sink, il_report *report, il_error *err)
 {
     il_map_set s = { .map = { .format = format, .options = options, .report = report, .n_files = n } };
+    il_crs_parse(NULL, &s.map.meaning);
     s.map.file = il_calloc(n, sizeof *s.map.file);
     il_status st = s.map.file ? parse_all(&s, parse, source, n, err) : il_fail_nomem(err);
     if (st == IL_OK)

@@ -27,8 +27,9 @@ static void find_unit(il_map *m)
         m->unit = m->meaning.unit;
     else if (!stated)
         m->unit = IL_UNIT_M;
-    if (!o->has_unit && !m->meaning.has_unit && !stated)
-        il_report_note(m->report, "no unit given: coordinates are taken as metres (--unit says otherwise)");
+    if (!o->has_unit && !m->meaning.has_unit && !m->meaning.odd_unit && !stated)
+        il_report_note(m->report, "%s: coordinates are taken as metres (--unit says otherwise)",
+                       m->meaning.epsg ? "what unit the coordinate system has is not known here" : "no unit given");
     else if (!o->has_unit && m->meaning.us_foot)
         il_report_note(m->report, "U.S. survey feet are taken as feet, which are 2 millionths shorter");
     if (!o->has_unit && m->meaning.odd_unit)

@@ -75,6 +75,8 @@ static il_status decide(il_map *m, il_error *err)
     bool labelled = m->degrees || m->meaning.kind == IL_CRS_GEOGRAPHIC;
     bool lengths = m->meaning.kind == IL_CRS_PROJECTED || m->meaning.kind == IL_CRS_LOCAL || m->has_unit;
     m->degrees = false;
+    if (!o->has_unit && m->meaning.kind == IL_CRS_GEOGRAPHIC && m->meaning.odd_unit)
+        return il_fail(err, IL_E_INPUT, 0, "its angles are not degrees (%.80s): ogr2ogr -t_srs EPSG:4326 makes degrees of them", m->crs);
     if (o->has_unit && o->unit != IL_UNIT_DEG)
         return asked ? il_fail(err, IL_E_USAGE, 0, "--project has nothing to project where --unit says lengths") : IL_OK;
     if (o->has_unit || (asked && !labelled)) {
@@ -100,17 +102,34 @@ static il_status decide(il_map *m, il_error *err)
 
 enum { BINS = 3600 };
 
-/* Where on the circle, 0 to 360, the longest stretch without a point ends; -1 when
+static size_t bin_of(double lon)
+{
+    double turn = lon / 360;
+    size_t bin = (size_t)((turn - floor(turn)) * BINS);
+    return bin < BINS ? bin : BINS - 1;
+}
+
+/* All bins of the edge from longitude P to Q: the short way round, as lines that jump
+ * from 179.9 to -179.9 mean it. */
+static void use_edge(bool used[BINS], double p, double q)
+{
+    bool eastward = (q > p) == (fabs(q - p) <= 180);
+    size_t from = bin_of(eastward ? p : q), to = bin_of(eastward ? q : p);
+    for (size_t k = from; k != to; k = (k + 1) % BINS)
+        used[k] = true;
+    used[to] = true;
+}
+
+/* Where on the circle, 0 to 360, the longest stretch without a line ends; -1 when
  * there is none of note. */
 static double find_start(const il_map *m)
 {
     bool used[BINS] = { false };
     for (size_t i = 0; i < m->n_lines; i++) {
         const il_map_line *l = &m->line[i];
-        for (size_t k = l->begin; k < l->begin + (il_map_takes_part(l) ? l->n : 0); k++) {
-            double turn = m->xy[2 * k] / 360;
-            size_t bin = (size_t)((turn - floor(turn)) * BINS);
-            used[bin < BINS ? bin : BINS - 1] = true;
+        for (size_t k = 0; k < (il_map_takes_part(l) ? l->n : 0); k++) {
+            size_t next = k + 1 < l->n ? k + 1 : l->closed ? 0 : k;
+            use_edge(used, m->xy[2 * (l->begin + k)], m->xy[2 * (l->begin + next)]);
         }
     }
     size_t longest = 0, end = 0, run = 0;

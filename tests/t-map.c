@@ -1,0 +1,535 @@
+/* t-map.c - what a set of map features becomes, told to it as a parser would.
+ *
+ * The features come in a small language of words: "crs TEXT", "degrees", "unit U", "f" (a feature
+ * begins), "a NAME VALUE", "p NAME VALUE" (a place), "line", "ring", "point" (a part begins)
+ * with numbers x y behind it, or "line3" with x y z. */
+#include "config.h"
+#include "base/number.h"
+#include "input/map-set.h"
+#include "output/writer.h"
+#include "test.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- the parser ---------------------------------------------------------------- */
+
+typedef struct script {
+    const char *s;
+    char word[300];
+    bool in_feature, in_part;
+} script;
+
+/* The next word, or null: up to a blank, or in quotation marks. */
+static const char *next(script *w)
+{
+    w->s += strspn(w->s, " \n");
+    size_t n = *w->s == '\'' ? strcspn(++w->s, "'") : strcspn(w->s, " \n");
+    if (n == 0 && !*w->s)
+        return NULL;
+    assert_true(n < sizeof w->word);
+    memcpy(w->word, w->s, n);
+    w->word[n] = '\0';
+    w->s += n + (w->s[n] == '\'');
+    return w->word;
+}
+
+static il_status end_part(script *w, il_map_set *set, il_error *err)
+{
+    bool was = w->in_part;
+    w->in_part = false;
+    return was ? il_map_end_part(set, err) : IL_OK;
+}
+
+static il_status attribute(script *w, il_map_set *set, bool place, il_error *err)
+{
+    char name[300];
+    snprintf(name, sizeof name, "%s", next(w));
+    const char *value = next(w);
+    size_t n = strlen(value);
+    return place ? il_map_place(set, name, value, n, err) : il_map_attribute(set, name, strlen(name), value, n, err);
+}
+
+static il_status points(script *w, il_map_set *set, size_t columns, il_error *err)
+{
+    double v[3] = { 0, 0, NAN };
+    il_status st = IL_OK;
+    for (;;) {
+        script before = *w;
+        for (size_t k = 0; k < columns; k++) {
+            const char *word = next(w);
+            if (!word || il_number_parse(word, strlen(word), &v[k]) != strlen(word)) {
+                assert_int_equal(k, 0);
+                *w = before;
+                return st;
+            }
+        }
+        st = st == IL_OK ? il_map_point(set, v[0], v[1], v[2], 1, err) : st;
+    }
+}
+
+static il_status begin(script *w, il_map_set *set, il_map_part kind, size_t columns, il_error *err)
+{
+    il_status st = end_part(w, set, err);
+    if (st == IL_OK)
+        st = il_map_begin_part(set, kind, 1, err);
+    w->in_part = st == IL_OK;
+    return st == IL_OK ? points(w, set, columns, err) : st;
+}
+
+static il_status command(script *w, il_map_set *set, const char *word, il_error *err)
+{
+    il_unit unit;
+    il_status st = IL_OK;
+    if (strcmp(word, "line") == 0 || strcmp(word, "line3") == 0)
+        return begin(w, set, IL_MAP_LINE, word[4] ? 3 : 2, err);
+    if (strcmp(word, "ring") == 0 || strcmp(word, "point") == 0)
+        return begin(w, set, *word == 'r' ? IL_MAP_RING : IL_MAP_POINT, 2, err);
+    if (strcmp(word, "a") == 0 || strcmp(word, "p") == 0)
+        return attribute(w, set, *word == 'p', err);
+    if (strcmp(word, "crs") == 0) {
+        const char *text = next(w);
+        return il_map_crs(set, text, strlen(text), 1, err);
+    }
+    if (strcmp(word, "degrees") == 0) {
+        il_map_degrees(set);
+    } else if (strcmp(word, "unit") == 0) {
+        const char *name = next(w);
+        assert_true(il_unit_parse(name, strlen(name), &unit));
+        il_map_unit(set, unit);
+    } else {
+        assert_string_equal(word, "f");
+        st = end_part(w, set, err);
+        if (st == IL_OK && w->in_feature)
+            st = il_map_end_feature(set, err);
+        w->in_feature = true;
+        st = st == IL_OK ? il_map_begin_feature(set, 1, err) : st;
+    }
+    return st;
+}
+
+static il_status parse(il_source *source, il_map_set *set, const il_read_options *options, il_error *err)
+{
+    char text[8000];
+    size_t n = 0, got = 1;
+    (void)options;
+    il_status st = IL_OK;
+    for (; st == IL_OK && got > 0; n += got)
+        st = il_source_read(source, text + n, sizeof text - 1 - n, &got, err);
+    text[n] = '\0';
+    script w = { .s = text };
+    for (const char *word; st == IL_OK && (word = next(&w)) != NULL;)
+        st = command(&w, set, word, err);
+    if (st == IL_OK)
+        st = end_part(&w, set, err);
+    return st == IL_OK && w.in_feature ? il_map_end_feature(set, err) : st;
+}
+
+/* ---- running it ------------------------------------------------------------------- */
+
+static const il_read_options defaults = IL_READ_OPTIONS_INIT;
+static il_report report;
+static char output[20000];
+
+/* The native text that FILES become (null-terminated list), without its first line and
+ * its last; the error's text after a failure. */
+static const char *run(const char *const *file, const il_read_options *o)
+{
+    il_source *source[4];
+    il_output *out = NULL;
+    il_sink *writer = NULL;
+    il_error err = IL_ERROR_INIT;
+    size_t n = 0, size;
+    il_report_free(&report);
+    for (; file[n]; n++)
+        assert_int_equal(il_source_from_memory(&source[n], file[n], strlen(file[n]), "map", &err), IL_OK);
+    assert_int_equal(il_output_to_memory(&out, &err), IL_OK);
+    assert_int_equal(il_writer_loft.contours_new(&writer, out, &err), IL_OK);
+    il_status st = il_map_read("Test", parse, source, n, o, writer, &report, &err);
+    const unsigned char *text = il_output_memory(out, &size);
+    if (st == IL_OK)
+        snprintf(output, sizeof output, "%.*s", (int)(size - strlen("isoloft 1\nend\n")), (const char *)text + strlen("isoloft 1\n"));
+    else
+        snprintf(output, sizeof output, "%s", err.text);
+    assert_true(st == IL_OK || st == IL_E_INPUT || st == IL_E_USAGE);
+    il_writer_loft.contours_free(writer);
+    il_output_discard(out);
+    for (size_t k = 0; k < n; k++)
+        il_source_close(source[k]);
+    return output;
+}
+
+static const char *read_map(const char *text, const il_read_options *o)
+{
+    const char *const files[] = { text, NULL };
+    return run(files, o ? o : &defaults);
+}
+
+static bool noted(const char *words)
+{
+    for (size_t k = 0; k < report.n_notes; k++)
+        if (strstr(report.note[k], words))
+            return true;
+    return false;
+}
+
+static void assert_noted(const char *words)
+{
+    if (noted(words))
+        return;
+    for (size_t k = 0; k < report.n_notes; k++)
+        print_error("note: %s\n", report.note[k]);
+    fail_msg("nothing is said of '%s'", words);
+}
+
+static void assert_contains(const char *text, const char *words)
+{
+    if (!strstr(text, words))
+        fail_msg("'%s' is not in: %s", words, text);
+}
+
+/* The heights of the slices of OUTPUT, with a blank before each. */
+static const char *heights(const char *text)
+{
+    static char list[400];
+    *list = '\0';
+    for (const char *p = strstr(text, "slice "); p; p = strstr(p + 1, "slice "))
+        snprintf(list + strlen(list), sizeof list - strlen(list), " %.*s", (int)strcspn(p + 6, "\n"), p + 6);
+    return list;
+}
+
+/* ---- heights -------------------------------------------------------------------- */
+
+#define TWO(a, b) "f " a " line 100 0 200 0 f " b " line 100 50 200 50"
+
+static void an_attribute_of_a_usual_name_is_the_height(void **state)
+{
+    static const char *const names[] = { "elev", "ELEV", "Elevation", "ele", "HEIGHT", "contour", "Level", "z", "alt", "hoogte",
+        "depth_m", "contour_elevation", "Elev_Meters", "height (m)", "CONTOUR_M", "H\xC3\xB6he", "ContourElevation", "PROP_VALUE" };
+    (void)state;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        char text[200];
+        snprintf(text, sizeof text, "f a ID 1 a '%s' 10 line 100 0 200 0 f a ID 2 a '%s' 20 line 100 50 200 50", names[k], names[k]);
+        if (strncmp(names[k], "depth", 5) == 0)
+            assert_string_equal(heights(read_map(text, NULL)), " -20 -10");
+        else if (strcmp(names[k], "PROP_VALUE") != 0)
+            assert_string_equal(heights(read_map(text, NULL)), " 10 20");
+    }
+}
+
+static void other_names_are_no_heights(void **state)
+{
+    static const char *const names[] = { "ID", "length", "shape_leng", "levels", "elev_index", "zone", "width", "elevator", "" };
+    (void)state;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        char text[200];
+        snprintf(text, sizeof text, "f a '%s' 10 line 100 0 200 0 f a '%s' 20 line 100 50 200 50", names[k], names[k]);
+        assert_contains(read_map(text, NULL), "has no heights");
+    }
+    assert_contains(read_map(TWO("a ID 1 a name x", "a ID 2"), NULL), "attributes: ID, name (--height NAME names one)");
+    assert_contains(read_map(TWO("", ""), NULL), "features have no attributes");
+}
+
+static void the_first_usual_name_that_tells_levels_apart_wins(void **state)
+{
+    (void)state;
+    assert_string_equal(heights(read_map(TWO("a level 1 a elev 10", "a level 2 a elev 20"), NULL)), " 10 20");
+    assert_string_equal(heights(read_map(TWO("a elev 0 a level 1", "a elev 0 a level 2"), NULL)), " 1 2");
+    assert_string_equal(heights(read_map("f a elev 5 line3 0 0 1 90 0 1 f a elev 5 line3 0 50 2 90 50 2", NULL)), " 1 2");
+    assert_string_equal(heights(read_map("f a elev 5 line3 0 0 1 90 0 1 f a elev 6 line3 0 50 2 90 50 2", NULL)), " 5 6");
+    assert_noted("heights: attribute 'elev', m");
+}
+
+static void z_comes_before_the_place_of_the_format(void **state)
+{
+    (void)state;
+    assert_string_equal(heights(read_map("f p name 7 line3 0 0 1 90 0 1 f p name 8 line3 0 50 2 90 50 2", NULL)), " 1 2");
+    assert_noted("heights: z coordinates, m");
+    assert_string_equal(heights(read_map("f p name 7 line3 0 0 0 90 0 0 f p name '8 m' line3 0 50 0 90 50 0", NULL)), " 7 8");
+    assert_noted("heights: the text in 'name', m");
+}
+
+static void height_names_an_attribute(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    o.map.height = "Class";
+    assert_string_equal(heights(read_map(TWO("a elev 1 a class 10", "a elev 2 a class 30"), &o)), " 10 30");
+    assert_string_equal(heights(read_map(TWO("a class 'L-100 minor'", "a class 'L-50'"), &o)), " 50 100");
+    assert_contains(read_map(TWO("a elev 1", "a elev 2"), &o), "no feature has 'Class' (--height); attributes: elev");
+    o.map.height = "z";
+    assert_string_equal(heights(read_map("f a elev 5 line3 0 0 1 90 0 1 f a elev 6 line3 0 50 2 90 50 2", &o)), " 1 2");
+}
+
+static void lines_without_a_height_are_left_out_and_counted(void **state)
+{
+    (void)state;
+    assert_string_equal(heights(read_map(TWO("a elev 1", "a elev 2") " f a elev '' line 0 90 9 90 f line 0 91 9 91", NULL)), " 1 2");
+    assert_int_equal(report.n_skipped, 2);
+    assert_string_equal(report.skip[0].why, "has no height");
+}
+
+static void a_line_whose_height_varies_is_no_isoline(void **state)
+{
+    (void)state;
+    assert_contains(read_map("f line3 0 0 1 90 0 2 f line3 0 50 2 90 50 3.5", NULL),
+                    "is no isoline but a track or profile: its height varies from 1 to 2");
+    assert_string_equal(heights(read_map("f line3 0 0 1 90 0 1 f line3 0 50 2 90 50 2 f line3 0 60 2 90 60 3", NULL)), " 1 2");
+    assert_int_equal(report.n_skipped, 1);
+    assert_string_equal(report.skip[0].why, "its height varies: it is no isoline");
+}
+
+static void one_level_is_refused_unless_a_side_is_given(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    assert_contains(read_map(TWO("a elev 5", "a elev 5"), NULL), "has one level only, 5 (attribute 'elev')");
+    o.map.high = IL_SIDE_LEFT;
+    assert_string_equal(heights(read_map(TWO("a elev 5", "a elev 5"), &o)), " 5");
+}
+
+static void a_map_without_lines_is_refused(void **state)
+{
+    (void)state;
+    assert_contains(read_map("f a elev 5 point 1 1", NULL), "has no lines and no polygons");
+    assert_contains(read_map("", NULL), "has no lines and no polygons");
+    assert_contains(read_map("f a elev 5 line f line", NULL), "has no lines and no polygons");
+}
+
+/* ---- units and depths ------------------------------------------------------------- */
+
+static void depths_count_down(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    assert_string_equal(heights(read_map(TWO("a depth 5", "a depth 0"), NULL)), " -5 0");
+    assert_noted("positive down");
+    assert_string_equal(heights(read_map(TWO("a depth -5", "a depth 0"), NULL)), " -5 0");
+    assert_noted("depths are below 0");
+    assert_string_equal(heights(read_map(TWO("a depth -2", "a depth 8"), NULL)), " -8 2");
+    o.map.depth = IL_DEPTH_DOWN;
+    assert_string_equal(heights(read_map(TWO("a elev -5", "a elev 0"), &o)), " 0 5");
+    o.map.depth = IL_DEPTH_UP;
+    assert_string_equal(heights(read_map(TWO("a depth 5", "a depth 0"), &o)), " 0 5");
+}
+
+static void feet_become_the_unit_of_the_stack(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    assert_string_equal(heights(read_map(TWO("a elev_ft 10", "a elev_ft 20"), NULL)), " 3.048 6.096");
+    assert_noted("ft, converted to m");
+    assert_string_equal(heights(read_map(TWO("a elev '10 ft'", "a elev '20 ft'"), NULL)), " 3.048 6.096");
+    assert_string_equal(heights(read_map("unit ft " TWO("a elev_m 3.048", "a elev_m 6.096"), NULL)), " 10 20");
+    o.map.has_z_unit = true;
+    o.map.z_unit = IL_UNIT_FT;
+    assert_string_equal(heights(read_map(TWO("a elev_m 10", "a elev_m 20"), &o)), " 3.048 6.096");
+    assert_contains(read_map("crs 'PROJCS[\"x\",GEOGCS[\"y\",UNIT[\"Degree\",0.0174532925199433]],UNIT[\"Foot_US\",0.3048006096012192]]' "
+                             TWO("a elev 10", "a elev 20"), NULL), "unit ft");
+    assert_noted("U.S. survey feet");
+}
+
+static void levels_that_only_decimals_tell_apart_are_one(void **state)
+{
+    (void)state;
+    assert_string_equal(heights(read_map(TWO("a elev 10.1", "a elev 20") " f a elev 10.100000381 line 0 90 9 90 f a elev 10.1 line 0 91 9 91",
+                                         NULL)), " 10.1 20");
+    assert_int_equal(report.repair[IL_REPAIR_MOVED_CONTOUR], 1);
+    assert_true(fabs(report.largest_move - 3.81e-7) < 1e-12);
+}
+
+/* ---- degrees ------------------------------------------------------------------------ */
+
+static void degrees_are_believed_where_they_can_be(void **state)
+{
+    (void)state;
+    const char *far = "f a elev 1 line 100 0 200 0 f a elev 2 line 100 500 200 500", *here = "f a elev 10 line 9 50 9.1 50 f a elev 20 line 9 50.1 9.1 50.1";
+    char text[400];
+    assert_contains(read_map(here, NULL), "unit m\nstack \"\"\nkind terrain\ncrs \"EPSG:32632\"");
+    assert_noted("no coordinate system given; numbers and relief are those of degrees");
+    snprintf(text, sizeof text, "crs EPSG:4326 %s", here);
+    assert_contains(read_map(text, NULL), "crs \"EPSG:32632\"");
+    snprintf(text, sizeof text, "degrees %s", here);
+    assert_contains(read_map(text, NULL), "crs \"EPSG:32632\"");
+    snprintf(text, sizeof text, "crs EPSG:4326 %s", far);
+    assert_contains(read_map(text, NULL), "line\n100 0\n200 0\n");
+    assert_contains(read_map("crs 'GEOGCS[\"x\",UNIT[\"grad\",0.0157079632679489]]' f a elev 1 line 9 50 9 51", NULL), "its angles are not degrees");
+    assert_contains(read_map(text, NULL), "line\n100 0\n200 0\n");
+    assert_noted("labelled as degrees (EPSG:4326), which coordinates from 100, 0 to 200, 500 can");
+}
+
+static void what_relief_denies_is_not_taken_for_degrees(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    const char *local = "f a elev 1 line 9 50 30 50 f a elev 2 line 9 70 30 70";
+    assert_contains(read_map(local, NULL), "line\n9 50\n30 50\n");
+    o.has_unit = true;
+    o.unit = IL_UNIT_DEG;
+    assert_contains(read_map(local, &o), "+proj=tmerc");
+    o.unit = IL_UNIT_MM;
+    assert_contains(read_map("f a elev 1 line 9 50 9.1 50 f a elev 2 line 9 50.1 9.1 50.1", &o), "unit mm");
+    assert_contains(read_map("crs EPSG:27700 f a elev 1 line 9 50 9.1 50 f a elev 2 line 9 50.1 9.1 50.1", NULL), "line\n9 50\n9.1 50\n");
+}
+
+static void project_none_keeps_degrees(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    o.map.project = IL_PROJECT_NONE;
+    assert_string_equal(read_map("crs urn:ogc:def:crs:OGC:1.3:CRS84 f a elev_ft 10 line 9 50 9.1 50 f a elev_ft 20 line 9 50.1 9.1 50.1", &o),
+                        "unit deg\nstack \"\"\nkind terrain\ncrs \"OGC:CRS84\"\nslice 3.048\nline\n9 50\n9.1 50\n"
+                        "slice 6.096\nline\n9 50.1\n9.1 50.1\n");
+}
+
+static void project_asks_for_degrees(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    o.map.project = IL_PROJECT_UTM;
+    assert_contains(read_map("f a elev 1 line 0 0 999 0 f a elev 2 line 0 9 999 9", &o), "are no degrees, which --project asks for");
+    assert_contains(read_map("crs EPSG:27700 " TWO("a elev 1", "a elev 2"), &o), "lengths already (EPSG:27700)");
+    assert_contains(read_map("f a elev 1 line 9 50 25 50 f a elev 2 line 9 70 25 70", &o), "crs \"EPSG:32633\"");
+}
+
+static void files_of_two_systems_are_no_map(void **state)
+{
+    const char *const other[] = { "crs EPSG:26915 " TWO("a elev 1", "a elev 2"), "crs EPSG:26916 " TWO("a elev 1", "a elev 2"), NULL },
+               *const same[] = { "crs EPSG:26915 " TWO("a elev 1", "a elev 2"), "crs urn:ogc:def:crs:EPSG::26915 f a elev 3 line 1 1 9 9", NULL };
+    (void)state;
+    assert_string_equal(run(other, &defaults), "its coordinate system is 'EPSG:26916', and 'EPSG:26915' before it");
+    assert_string_equal(heights(run(same, &defaults)), " 1 2 3");
+}
+
+static void longitudes_run_across_the_antimeridian(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    o.map.project = IL_PROJECT_NONE;
+    const char *text = "crs EPSG:4326 f a elev 100 line 179.5 -17 180 -17 f a elev 100 line -180 -17 -179.5 -17 "
+                       "f a elev 200 line 179.75 -17.5 -179.75 -17.5";
+    assert_contains(read_map(text, &o), "slice 100\nline\n179.5 -17\n180 -17\nline\n180 -17\n180.5 -17\nslice 200\nline\n179.75 -17.5\n180.25 -17.5\n");
+    assert_contains(read_map(text, NULL), "crs \"EPSG:327");
+    o.map.project = IL_PROJECT_TM;
+    assert_contains(read_map(text, &o), "+lon_0=180 ");
+}
+
+static void maps_around_a_pole_are_stereographic(void **state)
+{
+    (void)state;
+    assert_contains(read_map("crs EPSG:4326 f a elev 1 ring 0 80 90 80 180 80 -90 80 f a elev 2 ring 0 85 120 85 -120 85", NULL), "EPSG:5041");
+    assert_contains(read_map("crs EPSG:4326 f a elev 1 line 0 -85 90 -85 f a elev 2 line 0 -86 90 -86", NULL), "EPSG:5042");
+    assert_contains(read_map("crs EPSG:4326 f a elev 1 line -170 0 -90 0 0 0 90 0 170 0 f a elev 2 line -90 10 0 10", NULL),
+                    "340 degrees wide, and no projection here takes more than 120");
+}
+
+/* ---- borders ------------------------------------------------------------------------ */
+
+/* Three bands side by side on a map of 30 by 10, cut at x = 10 and 20. */
+#define BANDS(low, high) \
+    "f a " low " 0 a " high " 10 ring 0 0 10 0 10 10 0 10 f a " low " 10 a " high " 20 ring 10 0 20 0 20 10 10 10 " \
+    "f a " low " 20 a " high " 30 ring 20 0 30 0 30 10 20 10"
+
+static void bands_have_lines_between_them(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    const char *expected = "unit m\nstack \"\"\nkind terrain\nslice 10\nline\n10 10\n10 0\nslice 20\nline\n20 10\n20 0\n";
+    assert_string_equal(read_map(BANDS("elev_min", "elev_max"), NULL), expected);
+    assert_string_equal(read_map(BANDS("ELEVMIN", "ELEVMAX"), NULL), expected);
+    assert_string_equal(read_map(BANDS("min", "max"), NULL), expected);
+    o.map.height = "a,b";
+    assert_string_equal(read_map(BANDS("a", "b"), &o), expected);
+    assert_noted("isolines are the 2 edges between two of them; 8 edges on the map's frame are none");
+}
+
+static void an_island_of_a_band_is_a_ring(void **state)
+{
+    (void)state;
+    assert_string_equal(
+        read_map("f a min 0 a max 10 ring 0 0 30 0 30 30 0 30 ring 10 10 10 20 20 20 20 10 f a min 10 a max 20 ring 10 10 20 10 20 20 10 20 "
+                 "ring 12 12 14 12 14 14 12 14 f a min 20 a max 30 ring 12 12 14 12 14 14 12 14", NULL),
+        "unit m\nstack \"\"\nkind terrain\nslice 10\nring\n10 10\n20 10\n20 20\n10 20\nslice 20\nring\n12 12\n14 12\n14 14\n12 14\n");
+}
+
+static void bands_that_are_no_neighbours_meet_in_a_cliff(void **state)
+{
+    (void)state;
+    assert_string_equal(heights(read_map(BANDS("min", "max") " f a min 0 a max 10 ring 30 0 40 0 40 10 30 10", NULL)), " 10 20");
+    assert_contains(output, "slice 10\nline\n10 10\n10 0\nline\n30 0\n30 10\nslice 20\nline\n20 10\n20 0\nline\n30 0\n30 10\n");
+}
+
+static void one_height_for_each_band_is_too_little(void **state)
+{
+    (void)state;
+    assert_contains(read_map("f a elev 0 ring 0 0 9 0 9 9 0 9 ring 2 2 7 2 7 7 2 7 f a elev 10 ring 2 2 7 2 7 7 2 7 ring 4 4 5 4 5 5 4 5 "
+                             "f a elev 20 ring 4 4 5 4 5 5 4 5", NULL), "both heights are needed");
+}
+
+static void polygons_of_one_height_lose_the_borders_between_them(void **state)
+{
+    (void)state;
+    const char *expected = "slice 1\nline\n10 0\n20 0\n20 10\n10 10\nline\n10 10\n0 10\n0 0\n10 0\nslice 2\nring\n4 4\n6 4\n6 6\n";
+    assert_contains(read_map("f a elev 1 ring 0 0 10 0 10 10 0 10 f a elev 1 ring 20 0 20 10 10 10 10 0 f a elev 2 ring 4 4 6 4 6 6", NULL),
+                    "slice 1\n");
+    (void)expected;
+    assert_null(strstr(output, "ring\n0 0"));
+    assert_contains(output, "slice 2\nring\n4 4\n6 4\n6 6\n");
+    assert_contains(read_map("f a elev 1 ring 0 0 9 0 9 9 f a elev 1 ring 9 9 9 0 0 0 f a elev 2 ring 4 1 6 1 6 2", NULL), "slice 1\nring\n0 0\n9 0\n9 9\n");
+    assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_RING], 1);
+}
+
+/* ---- long edges ------------------------------------------------------------------- */
+
+static void long_edges_get_vertices_of_their_own(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    const char *text = "crs EPSG:4326 f a elev 100 line 8 50 10 50 f a elev 200 line 10 50 8 50";
+    o.flatness = 1;
+    read_map(text, &o);
+    assert_contains(output, "inserted 1 2 3 4");
+    assert_noted("none strays farther than 1 m");
+    /* the same vertices whichever way the edge runs */
+    char first[3000], second[3000], *p = strstr(output, "slice 100\nline\n"), *q = strstr(output, "slice 200\nline\n");
+    snprintf(first, sizeof first, "%.*s", (int)(strstr(p, "inserted") - p - 15), p + 15);
+    snprintf(second, sizeof second, "%.*s", (int)(strstr(q, "inserted") - q - 15), q + 15);
+    for (char *line = strtok(first, "\n"); line; line = strtok(NULL, "\n"))
+        assert_contains(second, line);
+    o.flatness = 1e6;
+    read_map(text, &o);
+    assert_null(strstr(output, "inserted"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_attribute_of_a_usual_name_is_the_height),
+        cmocka_unit_test(other_names_are_no_heights),
+        cmocka_unit_test(the_first_usual_name_that_tells_levels_apart_wins),
+        cmocka_unit_test(z_comes_before_the_place_of_the_format),
+        cmocka_unit_test(height_names_an_attribute),
+        cmocka_unit_test(lines_without_a_height_are_left_out_and_counted),
+        cmocka_unit_test(a_line_whose_height_varies_is_no_isoline),
+        cmocka_unit_test(one_level_is_refused_unless_a_side_is_given),
+        cmocka_unit_test(a_map_without_lines_is_refused),
+        cmocka_unit_test(depths_count_down),
+        cmocka_unit_test(feet_become_the_unit_of_the_stack),
+        cmocka_unit_test(levels_that_only_decimals_tell_apart_are_one),
+        cmocka_unit_test(degrees_are_believed_where_they_can_be),
+        cmocka_unit_test(what_relief_denies_is_not_taken_for_degrees),
+        cmocka_unit_test(project_none_keeps_degrees),
+        cmocka_unit_test(project_asks_for_degrees),
+        cmocka_unit_test(files_of_two_systems_are_no_map),
+        cmocka_unit_test(longitudes_run_across_the_antimeridian),
+        cmocka_unit_test(maps_around_a_pole_are_stereographic),
+        cmocka_unit_test(bands_have_lines_between_them),
+        cmocka_unit_test(an_island_of_a_band_is_a_ring),
+        cmocka_unit_test(bands_that_are_no_neighbours_meet_in_a_cliff),
+        cmocka_unit_test(one_height_for_each_band_is_too_little),
+        cmocka_unit_test(polygons_of_one_height_lose_the_borders_between_them),
+        cmocka_unit_test(long_edges_get_vertices_of_their_own),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

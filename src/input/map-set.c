@@ -289,7 +289,8 @@ static il_status make_stack(il_map *m, il_sink *sink, il_error *err)
 il_status il_map_read(const char *format, il_map_parse *parse, il_source *const *source, size_t n,
                       const il_read_options *options, il_sink *sink, il_report *report, il_error *err)
 {
-    il_map_set s = { .map = { .format = format, .options = options, .report = report, .n_files = n } };
+    il_map_set s = { .map = { .format = format, .options = options, .report = report, .n_files = n,
+                              .meaning = { .ellipsoid = IL_ELLIPSOID_WGS84 } } };
     s.map.file = il_calloc(n, sizeof *s.map.file);
     il_status st = s.map.file ? parse_all(&s, parse, source, n, err) : il_fail_nomem(err);
     if (st == IL_OK)

@@ -310,9 +310,11 @@ static il_status on_text(void *self, const char *s, size_t n, long line, il_erro
         return IL_OK;
     if (in == KIND_VALUE || in == KIND_ELEMENT)
         return p->is_wanted ? il_dicom_values_add(&p->values, s, n, err) : IL_OK;
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < n; i++) {
+        line += s[i] == '\n' ? 1 : 0;
         if (!il_xml_is_blank(s[i]))
             return il_fail(err, IL_E_INPUT, line, "text outside of a value");
+    }
     return IL_OK;
 }
 

@@ -6,7 +6,9 @@
 #include <string.h>
 
 const il_reader *const il_readers[] = {
-    &il_reader_loft, &il_reader_dcmdump, &il_reader_dicom_json, &il_reader_dicom_xml, &il_reader_svg,
+    &il_reader_loft, &il_reader_dcmdump, &il_reader_dicom_json,
+    &il_reader_kml, &il_reader_gpx, /* before DICOM, whose elements may stand in any others */
+    &il_reader_dicom_xml, &il_reader_svg,
     &il_reader_geojsonseq, &il_reader_geojson, NULL };
 
 const il_reader *il_reader_named(const char *name)
@@ -34,6 +36,12 @@ static bool is_binary_dicom(const unsigned char *head, size_t n)
 {
     return (n >= PREAMBLE + 4 && memcmp(head + PREAMBLE, "DICM", 4) == 0) ||
            begins_as_dicom(head, n, 0, 1) || begins_as_dicom(head, n, 1, 0);
+}
+
+/* PK, and which record of the archive comes first. */
+static bool is_zip(const unsigned char *head, size_t n)
+{
+    return n >= 4 && memcmp(head, "PK", 2) == 0 && head[2] < 9 && head[3] == head[2] + 1;
 }
 
 /* Text in units of two bytes: it has its byte order mark, or begins with a
@@ -74,6 +82,8 @@ il_status il_reader_detect(il_source *source, const il_reader **out, il_error *e
         st = il_fail(err, IL_E_INPUT, 0, "the input is empty");
     else if (is_binary_dicom(head, n))
         st = fail_binary_dicom(il_source_name(source), err);
+    else if (is_zip(head, n))
+        st = il_fail(err, IL_E_INPUT, 0, "is a zip archive, as KMZ files are too; unzip it first");
     else if (is_utf_16(head, n))
         st = il_fail(err, IL_E_INPUT, 0, "is UTF-16, as shells of Windows write it; "
                                          "iconv -f UTF-16 -t UTF-8 makes the text that isoloft reads");

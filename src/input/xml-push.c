@@ -25,6 +25,7 @@ typedef struct driver {
     xmlParserCtxtPtr xml;
     bool in_wrapper, has_encoding;
     size_t n_tags;              /* start and end tags parsed, <a/> being both */
+    long text_line;             /* where the next piece of text begins */
     int *n_bound, n_in_scope;
     size_t cap_bound, depth;
     char *scratch;              size_t cap_scratch;
@@ -33,6 +34,22 @@ typedef struct driver {
 } driver;
 
 /* ---- calls from libxml2 --------------------------------------------------------- */
+
+/* Text comes late and in pieces, so its lines are counted from the last tag on.
+ * References to line ends are none: the count goes no farther than the file. */
+static long begin_text(driver *d, const char *s, size_t n)
+{
+    long line = d->text_line, most = d->token.line + d->token.n_lines;
+    for (const char *p = s, *end = s + n; (p = memchr(p, '\n', (size_t)(end - p))) != NULL; p++)
+        d->text_line++;
+    return line < most ? line : most;
+}
+
+static void end_tag(driver *d)
+{
+    d->n_tags++;
+    d->text_line = d->token.line + d->token.n_lines;
+}
 
 /* Keep the failure ST with its place.  Nothing more is done from here on; the
  * parser itself is not stopped, it has at most this token to end. */
@@ -62,7 +79,7 @@ static void on_start(void *self, const xmlChar *name, const xmlChar *prefix, con
 {
     driver *d = self;
     (void)n_defaulted;
-    d->n_tags++;
+    end_tag(d);
     if (d->status != IL_OK)
         return;
     if (!d->in_wrapper) {
@@ -79,7 +96,7 @@ static void on_end(void *self, const xmlChar *name, const xmlChar *prefix, const
 {
     driver *d = self;
     (void)name, (void)prefix, (void)uri;
-    d->n_tags++;
+    end_tag(d);
     if (d->status != IL_OK)
         return;
     if (d->depth == 0) { /* the file's own end tag of that name */
@@ -93,8 +110,9 @@ static void on_end(void *self, const xmlChar *name, const xmlChar *prefix, const
 static void on_text(void *self, const xmlChar *s, int n)
 {
     driver *d = self;
+    long line = begin_text(d, (const char *)s, (size_t)n);
     if (d->status == IL_OK)
-        stop(d, d->client->text(d->self, (const char *)s, (size_t)n, d->token.line, d->err));
+        stop(d, d->client->text(d->self, (const char *)s, (size_t)n, line, d->err));
 }
 
 /* Called for what the parser finds, and for what libxml2 finds without one

@@ -22,7 +22,7 @@ const char *il_xml_attribute(const il_xml_element *e, const char *name, size_t *
 
 /* What a reader does with the pieces.  Any number of outermost elements may
  * follow one another; start and end match.  text gives the N bytes of UTF-8
- * between tags in any number of pieces.  A failure without a line gets that of
+ * between tags in any number of pieces, each with the line that it begins in.  A failure without a line gets that of
  * the token, or what `place` says.  place and declaration may be null.
  * what: the format's name, for errors.
  * quotes_controls: references to control characters, of which XML allows none,

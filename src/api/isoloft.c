@@ -119,6 +119,12 @@ static il_status open_sources(work *w, il_error *err)
     return n > 0 ? IL_OK : il_fail(err, IL_E_USAGE, 0, "no path is given to read from");
 }
 
+static int threads_of(const il_settings *s)
+{
+    int n = s->threads > 0 ? s->threads : il_threads_available();
+    return n < THREADS_MOST ? n : THREADS_MOST;
+}
+
 static il_status feed(work *w, il_error *err)
 {
     const il_from *f = w->from;
@@ -129,6 +135,7 @@ static il_status feed(work *w, il_error *err)
     o.unit = w->unit;
     o.has_spacing = f->spacing > 0;
     o.spacing = f->spacing;
+    o.threads = threads_of(&w->settings);
     return w->reader->read(w->source, w->n_sources, &o, w->first, &w->report, err);
 }
 
@@ -207,12 +214,6 @@ static il_status tally_finish(il_mesh_sink *self, il_error *err)
 {
     il_mesh_sink *next = ((tally *)self)->next;
     return next->finish(next, err);
-}
-
-static int threads_of(const il_settings *s)
-{
-    int n = s->threads > 0 ? s->threads : il_threads_available();
-    return n < THREADS_MOST ? n : THREADS_MOST;
 }
 
 static il_status build_lofter(work *w, bool rounds, il_error *err)

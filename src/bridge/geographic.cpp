@@ -13,27 +13,6 @@
 
 using namespace GeographicLib;
 
-/* Within this many degrees of its meridian the series is as good as exact. */
-static const double series_reach = 35;
-
-/* Points within reach of the series, by their longitudes or by their metres. */
-static bool is_near(const il_projection *p, const double *xy, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        if (!(std::fabs(xy[2 * i] - p->lon0) <= series_reach))
-            return false;
-    return true;
-}
-
-static bool is_near_in_plane(const il_projection *p, const double *xy, size_t n)
-{
-    const double reach = 0.5 * p->ellipsoid.a * p->k0; /* at the equator 28 degrees, and fewer metres beyond */
-    for (size_t i = 0; i < n; i++)
-        if (!(std::fabs(xy[2 * i] - p->x0) <= reach))
-            return false;
-    return true;
-}
-
 template <class TM> static void forward(const TM &tm, const il_projection *p, double *xy, size_t n)
 {
     double x0, y0;
@@ -96,10 +75,10 @@ il_status il_project_points(const il_projection *p, double *xy, size_t n, il_err
         const il_ellipsoid &e = p->ellipsoid;
         if (p->kind == IL_PROJECTION_STEREOGRAPHIC)
             forward_polar(p, xy, n);
-        else if (is_near(p, xy, n))
-            forward(TransverseMercator(e.a, e.f, p->k0), p, xy, n);
-        else
+        else if (p->far)
             forward(TransverseMercatorExact(e.a, e.f, p->k0), p, xy, n);
+        else
+            forward(TransverseMercator(e.a, e.f, p->k0), p, xy, n);
         return check_finite(xy, n, err);
     });
 }
@@ -110,10 +89,10 @@ il_status il_unproject_points(const il_projection *p, double *xy, size_t n, il_e
         const il_ellipsoid &e = p->ellipsoid;
         if (p->kind == IL_PROJECTION_STEREOGRAPHIC)
             reverse_polar(p, xy, n);
-        else if (is_near_in_plane(p, xy, n))
-            reverse(TransverseMercator(e.a, e.f, p->k0), p, xy, n);
-        else
+        else if (p->far)
             reverse(TransverseMercatorExact(e.a, e.f, p->k0), p, xy, n);
+        else
+            reverse(TransverseMercator(e.a, e.f, p->k0), p, xy, n);
         return check_finite(xy, n, err);
     });
 }

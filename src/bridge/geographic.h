@@ -21,17 +21,19 @@ typedef struct il_ellipsoid { double a, f; } il_ellipsoid;
 #define IL_ELLIPSOID_WGS84 { 6378137.0, 1 / 298.257223563 }
 
 /* TM: transverse Mercator on meridian lon0 (L. Krueger, 1912, to the sixth order, which
- * is good to 5 nm within 35 degrees of it; farther out exactly, by elliptic functions
- * after L. P. Lee, 1976).  STEREOGRAPHIC: polar, around the pole that `north` says, with
+ * is good to 5 nm within IL_TM_REACH degrees of it; if `far` exactly, by elliptic
+ * functions after L. P. Lee, 1976, which take longer).  STEREOGRAPHIC: polar, around the pole that `north` says, with
  * meridian lon0 pointing down from the north pole and up from the south one.
  * Scale k0 on the meridian or at the pole; the origin (lon0, lat0, or the pole) comes
  * to (x0, y0), m. */
+enum { IL_TM_REACH = 35 };
+
 typedef enum il_projection_kind { IL_PROJECTION_TM, IL_PROJECTION_STEREOGRAPHIC } il_projection_kind;
 typedef struct il_projection {
     il_projection_kind kind;
     il_ellipsoid ellipsoid;
     double lon0, lat0, k0, x0, y0;
-    bool north;
+    bool north, far;
 } il_projection;
 
 /* The N points at XY, in place, in metres.  IL_E_INTERNAL when one has no finite

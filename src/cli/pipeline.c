@@ -312,6 +312,8 @@ static il_status commit(pipeline *p, il_error *err)
 
 static il_status run(pipeline *p, il_error *err)
 {
+    il_read_options read = p->options->read;
+    read.threads = threads_of(p->options);
     il_status st = open_sources(p, err);
     if (st == IL_OK)
         st = find_reader(p, err);
@@ -324,7 +326,7 @@ static il_status run(pipeline *p, il_error *err)
     if (st == IL_OK)
         st = build_stages(p, err);
     if (st == IL_OK)
-        st = p->reader->read(p->source, p->n_sources, &p->options->read, p->first, &p->account->report, err);
+        st = p->reader->read(p->source, p->n_sources, &read, p->first, &p->account->report, err);
     if (st != IL_OK)
         il_error_set_file(err, p->account->options.input);
     return st == IL_OK ? commit(p, err) : st;

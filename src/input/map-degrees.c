@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* See the head of map-degrees.h. */
-static const double relief_most = 10;
+static const double relief_most = 3;
 
 /* ---- what the numbers look like ---------------------------------------------- */
 
@@ -28,10 +28,76 @@ static void measure(il_map *m)
 }
 
 /* Longitudes run from -180 or from 0; maps across the antimeridian a little beyond. */
-static bool can_be_degrees(const il_map *m)
+bool il_map_can_be_degrees(const il_map *m)
 {
     return m->box[0] >= -360 && m->box[2] <= 360 && m->box[2] - m->box[0] <= 360 && m->box[1] >= -90 && m->box[3] <= 90;
 }
+
+/* ---- one run of longitudes ------------------------------------------------------ */
+
+enum { BINS = 3600 };
+
+static size_t bin_of(double lon)
+{
+    double turn = lon / 360;
+    size_t bin = (size_t)((turn - floor(turn)) * BINS);
+    return bin < BINS ? bin : BINS - 1;
+}
+
+/* All bins of the edge from longitude P to Q: the short way round, as lines that jump
+ * from 179.9 to -179.9 mean it. */
+static void use_edge(bool used[BINS], double p, double q)
+{
+    bool eastward = (q > p) == (fabs(q - p) <= 180);
+    size_t from = bin_of(eastward ? p : q), to = bin_of(eastward ? q : p);
+    for (size_t k = from; k != to; k = (k + 1) % BINS)
+        used[k] = true;
+    used[to] = true;
+}
+
+/* How many degrees of the circle the lines take, in one run.  *START is where, from 0 to
+ * 360, the longest stretch without a line ends; -1 when longitudes need not be brought
+ * into one run, or cannot be. */
+static double turn_used(const il_map *m, double *start)
+{
+    *start = -1;
+    if (m->box[2] - m->box[0] <= 180)
+        return m->box[2] - m->box[0];
+    bool used[BINS] = { false };
+    for (size_t i = 0; i < m->n_lines; i++) {
+        const il_map_line *l = &m->line[i];
+        for (size_t k = 0; k < (il_map_takes_part(l) ? l->n : 0); k++) {
+            size_t next = k + 1 < l->n ? k + 1 : l->closed ? 0 : k;
+            use_edge(used, m->xy[2 * (l->begin + k)], m->xy[2 * (l->begin + next)]);
+        }
+    }
+    size_t longest = 0, end = 0, run = 0;
+    for (size_t k = 0; k < (size_t)2 * BINS; k++) {
+        run = used[k % BINS] ? 0 : run + 1;
+        if (run > longest && run <= BINS) {
+            longest = run;
+            end = k + 1;
+        }
+    }
+    if (longest < 2)
+        return 360;
+    *start = (double)(end % BINS) * 360 / BINS;
+    return 360 - (double)longest * 360 / BINS;
+}
+
+/* Bring all longitudes into one turn that begins in the stretch before START: half a bin
+ * before it, out of the way of what rounding does to points at its end. */
+static void turn_longitudes(il_map *m, double start)
+{
+    double first = (start > 180 ? start - 360 : start) - 180.0 / BINS;
+    for (size_t i = 0; i < m->n_lines; i++) {
+        const il_map_line *l = &m->line[i];
+        for (size_t k = l->begin; k < l->begin + l->n; k++)
+            m->xy[2 * k] -= 360 * floor((m->xy[2 * k] - first) / 360);
+    }
+}
+
+/* ---- the decision -------------------------------------------------------------- */
 
 static double relief(const il_map *m)
 {
@@ -47,11 +113,9 @@ static double relief(const il_map *m)
 
 static bool looks_like_degrees(const il_map *m)
 {
-    double width = fmax(m->box[2] - m->box[0], m->box[3] - m->box[1]);
-    return can_be_degrees(m) && relief(m) > relief_most * width;
+    double start;
+    return il_map_can_be_degrees(m) && relief(m) > relief_most * fmax(turn_used(m, &start), m->box[3] - m->box[1]);
 }
-
-/* ---- the decision -------------------------------------------------------------- */
 
 static il_status fail_impossible(const il_map *m, const char *asked, il_error *err)
 {
@@ -84,10 +148,10 @@ static il_status decide(il_map *m, il_error *err)
         if (!o->has_unit && lengths)
             return il_fail(err, IL_E_INPUT, 0, "its coordinates are lengths already (%.60s): --project has nothing to project",
                            m->crs ? m->crs : "by their unit");
-        m->degrees = can_be_degrees(m);
+        m->degrees = il_map_can_be_degrees(m);
         return m->degrees ? IL_OK : fail_impossible(m, by, err);
     }
-    m->degrees = labelled ? can_be_degrees(m) : !lengths && looks_like_degrees(m);
+    m->degrees = labelled ? il_map_can_be_degrees(m) : !lengths && looks_like_degrees(m);
     if (labelled && !m->degrees && asked)
         return fail_impossible(m, "--project", err);
     if (labelled && !m->degrees)
@@ -98,70 +162,14 @@ static il_status decide(il_map *m, il_error *err)
     return IL_OK;
 }
 
-/* ---- one run of longitudes ------------------------------------------------------ */
-
-enum { BINS = 3600 };
-
-static size_t bin_of(double lon)
-{
-    double turn = lon / 360;
-    size_t bin = (size_t)((turn - floor(turn)) * BINS);
-    return bin < BINS ? bin : BINS - 1;
-}
-
-/* All bins of the edge from longitude P to Q: the short way round, as lines that jump
- * from 179.9 to -179.9 mean it. */
-static void use_edge(bool used[BINS], double p, double q)
-{
-    bool eastward = (q > p) == (fabs(q - p) <= 180);
-    size_t from = bin_of(eastward ? p : q), to = bin_of(eastward ? q : p);
-    for (size_t k = from; k != to; k = (k + 1) % BINS)
-        used[k] = true;
-    used[to] = true;
-}
-
-/* Where on the circle, 0 to 360, the longest stretch without a line ends; -1 when
- * there is none of note. */
-static double find_start(const il_map *m)
-{
-    bool used[BINS] = { false };
-    for (size_t i = 0; i < m->n_lines; i++) {
-        const il_map_line *l = &m->line[i];
-        for (size_t k = 0; k < (il_map_takes_part(l) ? l->n : 0); k++) {
-            size_t next = k + 1 < l->n ? k + 1 : l->closed ? 0 : k;
-            use_edge(used, m->xy[2 * (l->begin + k)], m->xy[2 * (l->begin + next)]);
-        }
-    }
-    size_t longest = 0, end = 0, run = 0;
-    for (size_t k = 0; k < (size_t)2 * BINS; k++) {
-        run = used[k % BINS] ? 0 : run + 1;
-        if (run > longest && run <= BINS) {
-            longest = run;
-            end = k + 1;
-        }
-    }
-    return longest > 1 ? (double)(end % BINS) * 360 / BINS : -1;
-}
-
-/* Bring all longitudes into one turn that begins in the stretch before START: half a bin
- * before it, out of the way of what rounding does to points at its end. */
-static void turn_longitudes(il_map *m, double start)
-{
-    double first = (start > 180 ? start - 360 : start) - 180.0 / BINS;
-    for (size_t i = 0; i < m->n_lines; i++) {
-        const il_map_line *l = &m->line[i];
-        for (size_t k = l->begin; k < l->begin + l->n; k++)
-            m->xy[2 * k] -= 360 * floor((m->xy[2 * k] - first) / 360);
-    }
-}
-
 il_status il_map_find_degrees(il_map *m, il_error *err)
 {
     measure(m);
     il_status st = decide(m, err);
-    if (st != IL_OK || !m->degrees || m->box[2] - m->box[0] <= 180)
+    double start;
+    if (st != IL_OK || !m->degrees)
         return st;
-    double start = find_start(m);
+    turn_used(m, &start);
     if (start < 0)
         return IL_OK;
     turn_longitudes(m, start);

@@ -10,11 +10,12 @@ enum { PIECES_MOST = 10000 };
 
 static const double pi = 3.14159265358979323846, metres_a_degree = 111195;
 
-/* How far edges may stray, m; what is projected, and the map's new points. */
+/* How far edges may stray, m, and what they stray at most by their length; the map's new
+ * points. */
 typedef struct densify {
     il_map *map;
     const il_projection *projection;
-    double tolerance;
+    double tolerance, bend;
     double *xy;
     unsigned char *mark;
     size_t n, cap, cap_mark, n_inserted;
@@ -22,14 +23,19 @@ typedef struct densify {
 
 /* ---- long edges ------------------------------------------------------------- */
 
-/* More than how far the edge p-q can stray: a line of length L on a parallel leaves
- * the straight one by L^2 tan(latitude) / 8R, and the scale of the projection bends it
- * by less than L^2 / 8R. */
-static double stray_most(const double *p, const double *q)
+/* A line of length L on a parallel leaves the straight one by L^2 tan(latitude) / 8R, and
+ * the scale of the projection bends it by less than L^2 / 8R.  The most that an edge may
+ * stray anywhere on the map is this many metres for its length in degrees squared. */
+static double bend_most(const il_map *m)
 {
-    double lat = fmin(fmax(fabs(p[1]), fabs(q[1])), 89.9) * pi / 180;
-    double dx = (q[0] - p[0]) * metres_a_degree, dy = (q[1] - p[1]) * metres_a_degree;
-    return 2 * (dx * dx + dy * dy) * (1 + tan(lat)) / (8 * 6.37e6);
+    double lat = fmin(fmax(fabs(m->box[1]), fabs(m->box[3])), 89.9) * pi / 180;
+    return 2 * metres_a_degree * metres_a_degree * (1 + tan(lat)) / (8 * 6.37e6);
+}
+
+static double stray_most(const densify *d, const double *p, const double *q)
+{
+    double dx = q[0] - p[0], dy = q[1] - p[1];
+    return d->bend * (dx * dx + dy * dy);
 }
 
 /* How far the middle of the edge, between longitudes and latitudes, lies from that of
@@ -47,7 +53,7 @@ static il_status count_pieces(const densify *d, const double *p, const double *q
 {
     double distance;
     *n = 1;
-    if (stray_most(p, q) <= d->tolerance)
+    if (stray_most(d, p, q) <= d->tolerance)
         return IL_OK;
     il_status st = stray(d, p, q, &distance, err);
     if (st == IL_OK && distance > d->tolerance)
@@ -104,7 +110,7 @@ static bool needs_points(const densify *d)
     for (size_t i = 0; i < d->map->n_lines; i++) {
         const il_map_line *l = &d->map->line[i];
         for (size_t k = 0; k + 1 < l->n + l->closed; k++)
-            if (stray_most(d->map->xy + 2 * (l->begin + k), d->map->xy + 2 * (l->begin + (k + 1) % l->n)) > d->tolerance)
+            if (stray_most(d, d->map->xy + 2 * (l->begin + k), d->map->xy + 2 * (l->begin + (k + 1) % l->n)) > d->tolerance)
                 return true;
     }
     return false;
@@ -155,11 +161,11 @@ il_status il_map_project(il_map *m, il_error *err)
         return IL_OK;
     il_status st = il_map_choose_projection(m, &p, name, sizeof name, err);
     double tolerance = m->options->flatness > 0 ? m->options->flatness : default_tolerance(m);
-    densify d = { .map = m, .projection = &p, .tolerance = tolerance };
+    densify d = { .map = m, .projection = &p, .tolerance = tolerance, .bend = bend_most(m) };
     if (st == IL_OK && needs_points(&d))
         st = densify_map(&d, err);
     if (st == IL_OK)
-        st = il_project_points(&p, m->xy, m->n, err);
+        st = il_map_project_points(&p, m->xy, m->n, m->options->threads, err);
     char *crs = st == IL_OK ? il_strndup(name, strlen(name)) : NULL;
     if (st != IL_OK || !crs)
         return st != IL_OK ? st : il_fail_nomem(err);

@@ -19,4 +19,7 @@ il_status il_map_choose_projection(const il_map *m, il_projection *p, char *name
  * Where degrees stay, nothing is done.  Reported.  IL_E_INPUT, IL_E_NOMEM. */
 il_status il_map_project(il_map *m, il_error *err);
 
+/* The N points at XY by P, as il_project_points, shared by THREADS threads. */
+il_status il_map_project_points(const il_projection *p, double *xy, size_t n, int threads, il_error *err);
+
 #endif

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "input/map-data.h"
 #include "base/alloc.h"
+#include "base/text.h"
 #include "input/map-borders.h"
 #include "input/map-degrees.h"
 #include "input/map-heights.h"
@@ -186,12 +187,23 @@ bool il_map_wants(const il_map_set *s, const char *name, size_t n_name)
 
 /* ---- what the file says ------------------------------------------------------ */
 
+/* The N bytes at TEXT, made printable where they are no text; null when there is no
+ * memory. */
+static char *copy_words(const char *text, size_t n)
+{
+    enum { WORDS_MOST = 4096 };
+    char shown[WORDS_MOST];
+    if (il_utf8_valid(text, n) && !memchr(text, '\0', n))
+        return il_strndup(text, n);
+    return il_strndup(shown, il_text_printable(shown, sizeof shown, text, n));
+}
+
 il_status il_map_crs(il_map_set *s, const char *text, size_t n, long line, il_error *err)
 {
     il_map *m = &s->map;
     if (n == 0 || (m->crs && same_name(m->crs, text, n)))
         return IL_OK;
-    char *copy = il_strndup(text, n);
+    char *copy = copy_words(text, n);
     il_status st = copy ? IL_OK : il_fail_nomem(err);
     il_crs meaning;
     il_crs_parse(copy, &meaning);

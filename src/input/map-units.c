@@ -2,6 +2,7 @@
 #include "input/map-units.h"
 #include "base/alloc.h"
 #include "base/sort.h"
+#include "input/map-degrees.h"
 #include "input/map-names.h"
 #include "input/map-refuse.h"
 
@@ -28,8 +29,9 @@ static void find_unit(il_map *m)
     else if (!stated)
         m->unit = IL_UNIT_M;
     if (!o->has_unit && !m->meaning.has_unit && !m->meaning.odd_unit && !stated)
-        il_report_note(m->report, "%s: coordinates are taken as metres (--unit says otherwise)",
-                       m->meaning.epsg ? "what unit the coordinate system has is not known here" : "no unit given");
+        il_report_note(m->report, "%s: coordinates are taken as metres (--unit %ssays otherwise)",
+                       m->meaning.epsg ? "what unit the coordinate system has is not known here" : "no unit given",
+                       il_map_can_be_degrees(m) ? "deg, if they are degrees, " : "");
     else if (!o->has_unit && m->meaning.us_foot)
         il_report_note(m->report, "U.S. survey feet are taken as feet, which are 2 millionths shorter");
     if (!o->has_unit && m->meaning.odd_unit)

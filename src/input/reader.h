@@ -45,6 +45,7 @@ typedef struct il_read_options {
     size_t max_depth;           /* nested elements */
     size_t max_points;          /* vertices a stack */
     il_map_options map;
+    int threads;                /* to work with at most, 0: 1 */
 } il_read_options;
 
 enum {
@@ -54,7 +55,7 @@ enum {
 };
 
 #define IL_READ_OPTIONS_INIT { 0, false, false, false, IL_UNIT_MM, 0, IL_LIMIT_LINE, IL_LIMIT_DEPTH, IL_LIMIT_POINTS, \
-    { NULL, IL_DEPTH_AUTO, false, IL_UNIT_M, IL_PROJECT_AUTO, NULL, 0, 0, IL_SIDE_UNKNOWN } }
+    { NULL, IL_DEPTH_AUTO, false, IL_UNIT_M, IL_PROJECT_AUTO, NULL, 0, 0, IL_SIDE_UNKNOWN }, 0 }
 
 /* name: as after -f.  extensions: space-separated, without the point.
  * words: for --formats.  is_patient: structures that a person drew in a patient;

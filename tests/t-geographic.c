@@ -141,9 +141,11 @@ static void codes_say_what_they_are(void **state)
     static const char *const degrees[] = { "EPSG:4326", "epsg:4326", "urn:ogc:def:crs:EPSG::4326", "urn:ogc:def:crs:EPSG:6.9:4258",
         "http://www.opengis.net/def/crs/EPSG/0/4326", "urn:ogc:def:crs:OGC:1.3:CRS84", "OGC:CRS84", "EPSG:4267", "WGS84",
         "+proj=longlat +datum=WGS84 +no_defs", "+init=epsg:4326" };
-    static const char *const plane[] = { "EPSG:26915", "urn:ogc:def:crs:EPSG::27700", "EPSG:3857", "+proj=utm +zone=15 +datum=NAD83 +units=m",
+    static const char *const plane[] = { "EPSG:26915", "urn:ogc:def:crs:EPSG::27700", "EPSG:3857",
+        "+proj=utm +zone=15 +datum=NAD83 +units=m",
         "+init=epsg:2154" };
-    static const char *const nothing[] = { "", "EPSG:", "EPSG:x", "WGS 84 / something", "urn:x", "+proj", "[]", "GEOGCS", "PROJCS[\"x\"" };
+    static const char *const nothing[] = { "", "EPSG:", "EPSG:x", "WGS 84 / something", "urn:x", "+proj", "[]", "GEOGCS",
+        "PROJCS[\"x\"" };
     (void)state;
     for (size_t k = 0; k < sizeof degrees / sizeof *degrees; k++)
         assert_int_equal(crs(degrees[k]).kind, IL_CRS_GEOGRAPHIC);
@@ -161,16 +163,19 @@ static void well_known_text_says_units_and_ellipsoids(void **state)
     (void)state;
     il_crs c = crs("PROJCS[\"a\",GEOGCS[\"b\",DATUM[\"c\",SPHEROID[\"Bessel_1841\",6377397.155,299.1528128]],PRIMEM[\"Greenwich\",0.0],"
                    "UNIT[\"Degree\",0.0174532925199433]],PROJECTION[\"Krovak\"],PARAMETER[\"X_Scale\",-1.0],UNIT[\"Meter\",1.0]],"
-                   "VERTCS[\"Baltic\",VDATUM[\"d\"],PARAMETER[\"Vertical_Shift\",0.0],PARAMETER[\"Direction\",-1.0],UNIT[\"Foot\",0.3048]]");
+                   "VERTCS[\"Baltic\",VDATUM[\"d\"],PARAMETER[\"Vertical_Shift\",0.0],PARAMETER[\"Direction\",-1.0],"
+                   "UNIT[\"Foot\",0.3048]]");
     assert_int_equal(c.kind, IL_CRS_PROJECTED);
     assert_true(c.has_unit && c.unit == IL_UNIT_M && c.has_z_unit && c.z_unit == IL_UNIT_FT && c.down && !c.us_foot && !c.odd_unit);
     assert_true(c.ellipsoid.a == 6377397.155 && c.ellipsoid.f == 1 / 299.1528128);
     c = crs("GEOGCS[\"NTF (Paris)\",DATUM[\"x\",SPHEROID[\"Clarke 1880\",6378249.2,293.466]],UNIT[\"grad\",0.0157079632679489]]");
     assert_true(c.kind == IL_CRS_GEOGRAPHIC && c.odd_unit);
-    c = crs("GEOGCRS[\"WGS \"\"84\"\"\",DATUM[\"x\",ELLIPSOID[\"WGS 84\",6378137,298.257223563,LENGTHUNIT[\"metre\",1]]],CS[ellipsoidal,2],"
+    c = crs("GEOGCRS[\"WGS \"\"84\"\"\",DATUM[\"x\",ELLIPSOID[\"WGS "
+        "84\",6378137,298.257223563,LENGTHUNIT[\"metre\",1]]],CS[ellipsoidal,2],"
             "AXIS[\"latitude\",north],ANGLEUNIT[\"degree\",0.0174532925199433],ID[\"EPSG\",4326]]");
     assert_true(c.kind == IL_CRS_GEOGRAPHIC && c.epsg == 4326 && !c.has_unit && !c.odd_unit);
-    c = crs("PROJCRS[\"x\",BASEGEOGCRS[\"y\",ID[\"EPSG\",4269]],CS[Cartesian,2],AXIS[\"E\",east,LENGTHUNIT[\"US survey foot\",0.304800609601219]],"
+    c = crs("PROJCRS[\"x\",BASEGEOGCRS[\"y\",ID[\"EPSG\",4269]],CS[Cartesian,2],AXIS[\"E\",east,LENGTHUNIT[\"US survey "
+        "foot\",0.304800609601219]],"
             "ID[\"EPSG\",2263]]");
     assert_true(c.kind == IL_CRS_PROJECTED && c.epsg == 2263 && c.has_unit && c.us_foot && c.unit == IL_UNIT_FT);
     c = crs("COMPD_CS[\"z\",PROJCS[\"x\",UNIT[\"link\",0.201168]],VERT_CS[\"v\",UNIT[\"metre\",1],AXIS[\"Depth\",DOWN]]]");
@@ -189,7 +194,8 @@ static void a_deep_tree_is_no_system(void **state)
 static void words_agree_where_they_mean_the_same(void **state)
 {
     (void)state;
-    il_crs a = crs("EPSG:4326"), b = crs("GEOGCS[\"x\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]]"), c = crs("EPSG:4267"), d = crs("EPSG:27700");
+    il_crs a = crs("EPSG:4326"), b = crs("GEOGCS[\"x\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]]"), c = crs("EPSG:4267"),
+        d = crs("EPSG:27700");
     assert_true(il_crs_agree(&a, &b) && !il_crs_agree(&a, &c) && !il_crs_agree(&b, &c) && !il_crs_agree(&a, &d));
     char to[40];
     assert_string_equal(il_crs_short("urn:ogc:def:crs:EPSG::27700", to, sizeof to), "EPSG:27700");

@@ -333,7 +333,8 @@ static void feet_become_the_unit_of_the_stack(void **state)
 static void levels_that_only_decimals_tell_apart_are_one(void **state)
 {
     (void)state;
-    assert_string_equal(heights(read_map(TWO("a elev 10.1", "a elev 20") " f a elev 10.100000381 line 0 90 9 90 f a elev 10.1 line 0 91 9 91",
+    assert_string_equal(heights(read_map(TWO("a elev 10.1", "a elev 20") " f a elev 10.100000381 line 0 90 9 90 f a "
+        "elev 10.1 line 0 91 9 91",
                                          NULL)), " 10.1 20");
     assert_int_equal(report.repair[IL_REPAIR_MOVED_CONTOUR], 1);
     assert_true(fabs(report.largest_move - 3.81e-7) < 1e-12);
@@ -344,7 +345,8 @@ static void levels_that_only_decimals_tell_apart_are_one(void **state)
 static void degrees_are_believed_where_they_can_be(void **state)
 {
     (void)state;
-    const char *far = "f a elev 1 line 100 0 200 0 f a elev 2 line 100 500 200 500", *here = "f a elev 10 line 9 50 9.1 50 f a elev 20 line 9 50.1 9.1 50.1";
+    const char *far = "f a elev 1 line 100 0 200 0 f a elev 2 line 100 500 200 500",
+        *here = "f a elev 10 line 9 50 9.1 50 f a elev 20 line 9 50.1 9.1 50.1";
     char text[400];
     assert_contains(read_map(here, NULL), "unit m\nstack \"\"\nkind terrain\ncrs \"EPSG:32632\"");
     assert_noted("no coordinate system given; numbers and relief are those of degrees");
@@ -354,7 +356,8 @@ static void degrees_are_believed_where_they_can_be(void **state)
     assert_contains(read_map(text, NULL), "crs \"EPSG:32632\"");
     snprintf(text, sizeof text, "crs EPSG:4326 %s", far);
     assert_contains(read_map(text, NULL), "line\n100 0\n200 0\n");
-    assert_contains(read_map("crs 'GEOGCS[\"x\",UNIT[\"grad\",0.0157079632679489]]' f a elev 1 line 9 50 9 51", NULL), "its angles are not degrees");
+    assert_contains(read_map("crs 'GEOGCS[\"x\",UNIT[\"grad\",0.0157079632679489]]' f a elev 1 line 9 50 9 51", NULL),
+        "its angles are not degrees");
     assert_contains(read_map(text, NULL), "line\n100 0\n200 0\n");
     assert_noted("labelled as degrees (EPSG:4326), which coordinates from 100, 0 to 200, 500 can");
 }
@@ -378,7 +381,8 @@ static void project_none_keeps_degrees(void **state)
     (void)state;
     il_read_options o = defaults;
     o.map.project = IL_PROJECT_NONE;
-    assert_string_equal(read_map("crs urn:ogc:def:crs:OGC:1.3:CRS84 f a elev_ft 10 line 9 50 9.1 50 f a elev_ft 20 line 9 50.1 9.1 50.1", &o),
+    assert_string_equal(read_map("crs urn:ogc:def:crs:OGC:1.3:CRS84 f a elev_ft 10 line 9 50 9.1 50 f a elev_ft 20 line 9 50.1 9.1 50.1",
+        &o),
                         "unit deg\nstack \"\"\nkind terrain\ncrs \"OGC:CRS84\"\nslice 3.048\nline\n9 50\n9.1 50\n"
                         "slice 6.096\nline\n9 50.1\n9.1 50.1\n");
 }
@@ -396,7 +400,8 @@ static void project_asks_for_degrees(void **state)
 static void files_of_two_systems_are_no_map(void **state)
 {
     const char *const other[] = { "crs EPSG:26915 " TWO("a elev 1", "a elev 2"), "crs EPSG:26916 " TWO("a elev 1", "a elev 2"), NULL },
-               *const same[] = { "crs EPSG:26915 " TWO("a elev 1", "a elev 2"), "crs urn:ogc:def:crs:EPSG::26915 f a elev 3 line 1 1 9 9", NULL };
+               *const same[] = { "crs EPSG:26915 " TWO("a elev 1", "a elev 2"), "crs urn:ogc:def:crs:EPSG::26915 f a elev 3 line 1 1 9 9",
+                   NULL };
     (void)state;
     assert_string_equal(run(other, &defaults), "its coordinate system is 'EPSG:26916', and 'EPSG:26915' before it");
     assert_string_equal(heights(run(same, &defaults)), " 1 2 3");
@@ -409,7 +414,8 @@ static void longitudes_run_across_the_antimeridian(void **state)
     o.map.project = IL_PROJECT_NONE;
     const char *text = "crs EPSG:4326 f a elev 100 line 179.5 -17 180 -17 f a elev 100 line -180 -17 -179.5 -17 "
                        "f a elev 200 line 179.75 -17.5 -179.75 -17.5";
-    assert_contains(read_map(text, &o), "slice 100\nline\n179.5 -17\n180 -17\nline\n180 -17\n180.5 -17\nslice 200\nline\n179.75 -17.5\n180.25 -17.5\n");
+    assert_contains(read_map(text, &o), "slice 100\nline\n179.5 -17\n180 -17\nline\n180 -17\n180.5 -17\nslice "
+        "200\nline\n179.75 -17.5\n180.25 -17.5\n");
     assert_contains(read_map(text, NULL), "crs \"EPSG:327");
     o.map.project = IL_PROJECT_TM;
     assert_contains(read_map(text, &o), "+lon_0=180 ");
@@ -418,7 +424,8 @@ static void longitudes_run_across_the_antimeridian(void **state)
 static void maps_around_a_pole_are_stereographic(void **state)
 {
     (void)state;
-    assert_contains(read_map("crs EPSG:4326 f a elev 1 ring 0 80 90 80 180 80 -90 80 f a elev 2 ring 0 85 120 85 -120 85", NULL), "EPSG:5041");
+    assert_contains(read_map("crs EPSG:4326 f a elev 1 ring 0 80 90 80 180 80 -90 80 f a elev 2 ring 0 85 120 85 -120 85", NULL),
+        "EPSG:5041");
     assert_contains(read_map("crs EPSG:4326 f a elev 1 line 0 -85 90 -85 f a elev 2 line 0 -86 90 -86", NULL), "EPSG:5042");
     assert_contains(read_map("crs EPSG:4326 f a elev 1 line -170 0 -90 0 0 0 90 0 170 0 f a elev 2 line -90 10 0 10", NULL),
                     "340 degrees wide, and no projection here takes more than 120");
@@ -448,7 +455,8 @@ static void an_island_of_a_band_is_a_ring(void **state)
 {
     (void)state;
     assert_string_equal(
-        read_map("f a min 0 a max 10 ring 0 0 30 0 30 30 0 30 ring 10 10 10 20 20 20 20 10 f a min 10 a max 20 ring 10 10 20 10 20 20 10 20 "
+        read_map("f a min 0 a max 10 ring 0 0 30 0 30 30 0 30 ring 10 10 10 20 20 20 20 10 f a min 10 a max 20 ring 10 "
+            "10 20 10 20 20 10 20 "
                  "ring 12 12 14 12 14 14 12 14 f a min 20 a max 30 ring 12 12 14 12 14 14 12 14", NULL),
         "unit m\nstack \"\"\nkind terrain\nslice 10\nring\n10 10\n20 10\n20 20\n10 20\nslice 20\nring\n12 12\n14 12\n14 14\n12 14\n");
 }
@@ -471,12 +479,14 @@ static void polygons_of_one_height_lose_the_borders_between_them(void **state)
 {
     (void)state;
     const char *expected = "slice 1\nline\n10 0\n20 0\n20 10\n10 10\nline\n10 10\n0 10\n0 0\n10 0\nslice 2\nring\n4 4\n6 4\n6 6\n";
-    assert_contains(read_map("f a elev 1 ring 0 0 10 0 10 10 0 10 f a elev 1 ring 20 0 20 10 10 10 10 0 f a elev 2 ring 4 4 6 4 6 6", NULL),
+    assert_contains(read_map("f a elev 1 ring 0 0 10 0 10 10 0 10 f a elev 1 ring 20 0 20 10 10 10 10 0 f a elev 2 ring 4 4 6 4 6 6",
+        NULL),
                     "slice 1\n");
     (void)expected;
     assert_null(strstr(output, "ring\n0 0"));
     assert_contains(output, "slice 2\nring\n4 4\n6 4\n6 6\n");
-    assert_contains(read_map("f a elev 1 ring 0 0 9 0 9 9 f a elev 1 ring 9 9 9 0 0 0 f a elev 2 ring 4 1 6 1 6 2", NULL), "slice 1\nring\n0 0\n9 0\n9 9\n");
+    assert_contains(read_map("f a elev 1 ring 0 0 9 0 9 9 f a elev 1 ring 9 9 9 0 0 0 f a elev 2 ring 4 1 6 1 6 2", NULL),
+        "slice 1\nring\n0 0\n9 0\n9 9\n");
     assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_RING], 1);
 }
 

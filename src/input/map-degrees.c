@@ -1,5 +1,6 @@
 #include "config.h"
 #include "input/map-degrees.h"
+#include "input/map-refuse.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -119,15 +120,17 @@ static bool looks_like_degrees(const il_map *m)
 
 static il_status fail_impossible(const il_map *m, const char *asked, il_error *err)
 {
-    return il_fail(err, IL_E_INPUT, 0, "coordinates from %.9g, %.9g to %.9g, %.9g are no degrees, which %s asks for",
-                   m->box[0], m->box[1], m->box[2], m->box[3], asked);
+    char box[IL_MAP_BOX_MOST];
+    return il_fail(err, IL_E_INPUT, 0, "coordinates from %s are no degrees, which %s asks for",
+                   il_map_box_words(m, box, sizeof box), asked);
 }
 
 static void tell_disbelief(const il_map *m)
 {
     bool swapped = m->box[1] >= -180 && m->box[3] <= 180 && m->box[0] >= -90 && m->box[2] <= 90;
-    il_report_note(m->report, "labelled as degrees%s%.40s%s, which coordinates from %.9g, %.9g to %.9g, %.9g cannot be%s: taken as lengths",
-                   m->crs ? " (" : "", m->crs ? m->crs : "", m->crs ? ")" : "", m->box[0], m->box[1], m->box[2], m->box[3],
+    char box[IL_MAP_BOX_MOST];
+    il_report_note(m->report, "labelled as degrees%s%.40s%s, which coordinates from %s cannot be%s: taken as lengths",
+                   m->crs ? " (" : "", m->crs ? m->crs : "", m->crs ? ")" : "", il_map_box_words(m, box, sizeof box),
                    swapped ? " (are x and y exchanged?)" : "");
 }
 

@@ -2,6 +2,7 @@
 #include "config.h"
 #include "base/number.h"
 #include "input/map-project.h"
+#include "input/map-refuse.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -92,6 +93,7 @@ il_status il_map_choose_projection(const il_map *m, il_projection *p, char *name
 {
     const double *b = m->box;
     double lon = (b[0] + b[2]) / 2, lat = (b[1] + b[3]) / 2, half = (b[2] - b[0]) / 2;
+    char words[IL_NUMBER_MAX];
     int zone = il_utm_zone(lon, lat);
     bool utm = m->options->map.project == IL_PROJECT_UTM, tm = m->options->map.project == IL_PROJECT_TM;
     bool around_pole = half > half_width_most && (b[1] > polar_latitude || b[3] < -polar_latitude);
@@ -100,8 +102,8 @@ il_status il_map_choose_projection(const il_map *m, il_projection *p, char *name
         return IL_OK;
     }
     if (half > half_width_most)
-        return il_fail(err, IL_E_INPUT, 0, "the map is %.4g degrees wide, and no projection here takes more than %g "
-                       "(--project none keeps degrees)", 2 * half, 2 * half_width_most);
+        return il_fail(err, IL_E_INPUT, 0, "the map is %s degrees wide, and no projection here takes more than 120 "
+                       "(--project none keeps degrees)", il_map_number_words(2 * half, words, sizeof words));
     if (!tm && (utm || fits_zone(m, zone, lat)))
         choose_utm(m, zone, lon, lat >= 0, p, name, size);
     else

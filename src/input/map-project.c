@@ -1,6 +1,8 @@
 #include "config.h"
 #include "input/map-project.h"
+#include "input/map-refuse.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -146,11 +148,12 @@ static double default_tolerance(const il_map *m)
 
 static void tell(const il_map *m, const densify *d, const char *name)
 {
-    il_report_note(m->report, "degrees from %.9g, %.9g to %.9g, %.9g projected to metres: %s", m->box[0], m->box[1], m->box[2],
-                   m->box[3], name);
+    char box[IL_MAP_BOX_MOST], stray[IL_NUMBER_MAX];
+    il_report_note(m->report, "degrees from %s projected to metres: %s", il_map_box_words(m, box, sizeof box), name);
     if (d->n_inserted > 0)
         il_report_note(m->report, "%zu vertices put into long edges, which are straight between longitudes and latitudes: "
-                       "none strays farther than %.3g m", d->n_inserted, d->tolerance);
+                       "none strays farther than %s m", d->n_inserted,
+                       il_map_number_words(d->tolerance, stray, sizeof stray));
 }
 
 il_status il_map_project(il_map *m, il_error *err)

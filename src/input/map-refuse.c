@@ -104,3 +104,21 @@ const char *il_map_place_words(const il_map *m, char *to, size_t size)
         append(to, size, "%s '%.60s'", m->column[p->low].is_place ? "the text in" : "attribute", m->column[p->low].name);
     return to;
 }
+
+const char *il_map_number_words(double value, char *to, size_t size)
+{
+    char text[IL_NUMBER_MAX];
+    double rounded = nearbyint(value * 1e7) / 1e7;
+    il_number_format(text, isfinite(rounded) ? rounded : value);
+    snprintf(to, size, "%s", text);
+    return to;
+}
+
+const char *il_map_box_words(const il_map *m, char *to, size_t size)
+{
+    char v[4][IL_NUMBER_MAX];
+    for (int k = 0; k < 4; k++)
+        il_map_number_words(m->box[k], v[k], sizeof v[k]);
+    snprintf(to, size, "%s, %s to %s, %s", v[0], v[1], v[2], v[3]);
+    return to;
+}

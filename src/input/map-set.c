@@ -59,7 +59,7 @@ static il_status fail_point(const il_map *m, double x, double y, double z, long 
         return il_fail(err, IL_E_INPUT, line, "more than %zu points (--max-points)", m->options->max_points);
     double bad = !(fabs(x) < IL_COORDINATE_BOUND) ? x : !(fabs(y) < IL_COORDINATE_BOUND) ? y : z;
     if (isfinite(bad))
-        return il_fail(err, IL_E_INPUT, line, "the coordinate %.17g is not below 1e15", bad);
+        return il_fail(err, IL_E_INPUT, line, "a coordinate is not below 1e15");
     return il_fail(err, IL_E_INPUT, line, "a coordinate is no finite number");
 }
 

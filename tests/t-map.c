@@ -228,7 +228,7 @@ static void other_names_are_no_heights(void **state)
         assert_contains(read_map(text, NULL), "has no heights");
     }
     assert_contains(read_map(TWO("a ID 1 a name x", "a ID 2"), NULL), "attributes: ID, name (--height NAME names one)");
-    assert_contains(read_map(TWO("", ""), NULL), "features have no attributes");
+    assert_contains(read_map(TWO("", ""), NULL), "no z and no attributes at all");
 }
 
 static void the_first_usual_name_that_tells_levels_apart_wins(void **state)

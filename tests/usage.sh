@@ -88,7 +88,7 @@ fi
 
 # ---- the manual's examples, as they stand there --------------------------------
 
-cp "$srcdir"/examples/vase.svg "$srcdir"/examples/vase.loft "$srcdir"/examples/phantom.* .
+cp "$srcdir"/examples/vase.svg "$srcdir"/examples/vase.loft "$srcdir"/examples/phantom.* "$srcdir"/examples/island.geojson .
 mkdir bin && ln -s "$ISOLOFT" bin/isoloft
 awk '/^\.Sh EXAMPLES/ { on = 1 } /^\.Sh SEE ALSO/ { on = 0 }
      on && /^\.Bd/ { k++; inside = 1; next } /^\.Ed/ { inside = 0 }

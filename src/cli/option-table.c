@@ -441,7 +441,7 @@ const il_option il_option_table[] = {
     { 0, "keyhole", "D", IL_OPTION_VALUE_OR_NO, READERS,
       NULL, "how far the sides of a keyhole are apart; 0: off", set_keyhole },
     { 0, "height", "NAME", IL_OPTION_VALUE, READERS,
-      "maps: attribute with the heights, or z", "maps: attribute with the heights, or z", set_height },
+      NULL, "maps: attribute with the heights, or z", set_height },
     { 0, "depth", NULL, IL_OPTION_SWITCH, READERS,
       NULL, "maps: heights are depths, positive down", set_depth },
     { 0, "z-unit", "U", IL_OPTION_VALUE, READERS,

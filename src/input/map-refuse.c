@@ -19,15 +19,13 @@ static void append(char *to, size_t size, const char *format, ...)
     va_end(args);
 }
 
-/* "; its attributes are ID, name", or that it has none. */
+/* "; attributes: ID, name"; nothing where there are none. */
 static void list_attributes(const il_map *m, char *to, size_t size)
 {
     size_t shown = 0, n = 0;
     *to = '\0';
     for (size_t k = 0; k < m->n_columns; k++)
         n += !m->column[k].is_place;
-    if (n == 0)
-        append(to, size, "; features have no attributes");
     for (size_t k = 0; k < m->n_columns && strlen(to) + NAME_MOST + 20 < size; k++) {
         if (m->column[k].is_place)
             continue;
@@ -78,7 +76,8 @@ il_status il_map_refuse_no_heights(const il_map *m, il_error *err)
         il_fail(err, IL_E_INPUT, l->line, "is no isoline but a track or profile: its height varies from %s to %s%s",
                 low, high, list);
     } else {
-        il_fail(err, IL_E_INPUT, 0, "has no heights: no attribute of a usual name with numbers, no z%s (--height NAME names one)", list);
+        il_fail(err, IL_E_INPUT, 0, "has no heights: no attribute of a usual name with numbers, no z%s%s",
+                *list ? list : " and no attributes at all", *list ? " (--height NAME names one)" : "");
     }
     return name_file(m, l, err);
 }

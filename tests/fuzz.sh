@@ -2,6 +2,7 @@
 # has found, without a fuzzer; one case a harness.
 
 harnesses="dcmdump dicom-json dicom-xml geojson json keyhole loft mesh svg"
+harnesses="dcmdump dicom-json dicom-xml gpx json keyhole kml loft mesh svg"
 
 set -- $harnesses
 echo "1..$#"

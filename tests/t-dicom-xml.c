@@ -155,7 +155,7 @@ static void other_xml_is_neither(void **state)
 {
     (void)state;
     assert_reader("<html><body>NativeDicomModel</body></html>", NULL);
-    assert_reader("<kml/>", NULL);
+    assert_reader("<osm/>", NULL);
     assert_reader("<", NULL);
     assert_reader("<?xml", NULL);
     assert_reader("<!DOCTYPE", NULL);

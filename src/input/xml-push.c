@@ -35,16 +35,7 @@ typedef struct driver {
 
 /* ---- calls from libxml2 --------------------------------------------------------- */
 
-/* Text comes late and in pieces, so its lines are counted from the last tag on.
- * References to line ends are none: the count goes no farther than the file. */
-static long begin_text(driver *d, const char *s, size_t n)
-{
-    long line = d->text_line, most = d->token.line + d->token.n_lines;
-    for (const char *p = s, *end = s + n; (p = memchr(p, '\n', (size_t)(end - p))) != NULL; p++)
-        d->text_line++;
-    return line < most ? line : most;
-}
-
+/* Text comes late and in pieces, so its lines are counted from the last tag on. */
 static void end_tag(driver *d)
 {
     d->n_tags++;
@@ -52,14 +43,20 @@ static void end_tag(driver *d)
 }
 
 /* Keep the failure ST with its place.  Nothing more is done from here on; the
- * parser itself is not stopped, it has at most this token to end. */
+ * parser itself is not stopped, it has at most this token to end.
+ * In text a reference to a line end looks like one, and so does a carriage return by
+ * itself, which ends no line here: no line behind the token is meant. */
 static void stop(driver *d, il_status st)
 {
+    long last = d->token.line + d->token.n_lines;
     if (st == IL_OK || d->status != IL_OK)
         return;
     d->status = st;
-    if (d->err && d->err->line == 0 && st == IL_E_INPUT)
+    if (!d->err || st != IL_E_INPUT)
+        return;
+    if (d->err->line == 0)
         d->err->line = d->client->place ? d->client->place(d->self, &d->token) : d->token.line;
+    d->err->line = d->err->line < last ? d->err->line : last;
 }
 
 static il_status bind_namespaces(driver *d, int n)
@@ -110,7 +107,9 @@ static void on_end(void *self, const xmlChar *name, const xmlChar *prefix, const
 static void on_text(void *self, const xmlChar *s, int n)
 {
     driver *d = self;
-    long line = begin_text(d, (const char *)s, (size_t)n);
+    long line = d->text_line;
+    for (const xmlChar *p = s, *end = s + n; (p = memchr(p, '\n', (size_t)(end - p))) != NULL; p++)
+        d->text_line++;
     if (d->status == IL_OK)
         stop(d, d->client->text(d->self, (const char *)s, (size_t)n, line, d->err));
 }
@@ -158,10 +157,16 @@ static void push(driver *d, const char *s, size_t n)
         stop(d, il_fail(d->err, IL_E_INPUT, d->token.line, "not well-formed"));
 }
 
+/* As an instruction, which parts no text and gives no blanks. */
 static void push_line_ends(driver *d, long n)
 {
-    for (; n > 0; n--)
+    if (n == 0)
+        return;
+    push(d, "<?x", 3);
+    for (long k = 0; k < n; k++)
         push(d, "\n", 1);
+    push(d, "?>", 2);
+    d->text_line += n;
 }
 
 /* Text outside all elements is none of the format's, and would be lost. */

@@ -74,7 +74,7 @@ static il_status find_reader(pipeline *p, il_error *err)
     for (size_t k = 0; k < p->n_sources && !p->options->from; k++) {
         const il_reader *r = NULL;
         il_status st = il_reader_detect(p->source[k], &r, err);
-        if (st == IL_OK && p->reader && r != p->reader)
+        if (st == IL_OK && p->reader && r->read != p->reader->read)
             st = il_fail(err, IL_E_INPUT, 0, "is %s, and '%.100s' is %s: a run takes inputs of one format",
                          r->name, il_source_name(p->source[0]), p->reader->name);
         if (st != IL_OK) {

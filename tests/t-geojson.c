@@ -91,7 +91,8 @@ static void put(buffer *b, const char *format, ...)
     va_end(args);
 }
 
-static const char two[] = "{\"type\":\"MultiLineString\",\"coordinates\":[[[0,0,10],[900,0,10],[0,900,10]],[[0,0,20],[800,0,20],[0,800,20]]]}";
+static const char two[] = "{\"type\":\"MultiLineString\",\"coordinates\":["
+                          "[[0,0,10],[900,0,10],[0,900,10]],[[0,0,20],[800,0,20],[0,800,20]]]}";
 
 /* ---- telling it apart ------------------------------------------------------------------ */
 
@@ -313,8 +314,10 @@ static void every_failing_allocation_is_survived(void **state)
     (void)state;
     static const char text[] =
         "var x = {\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"EPSG:27700\"}},\"features\":[\n"
-        "{\"properties\":{\"elev\":10,\"height\":1},\"geometry\":{\"coordinates\":[[[0,0],[900,0],[0,900]]],\"type\":\"Polygon\"},\"type\":\"Feature\"},\n"
-        "{\"type\":\"Feature\",\"properties\":{\"elev\":20},\"geometry\":{\"type\":\"LineString\",\"coordinates\":[[0,0],[800,0],[0,800]]}}\n"
+        "{\"properties\":{\"elev\":10,\"height\":1},\n"
+        "\"geometry\":{\"coordinates\":[[[0,0],[900,0],[0,900]]],\"type\":\"Polygon\"},\"type\":\"Feature\"},\n"
+        "{\"type\":\"Feature\",\"properties\":{\"elev\":20},\n"
+        "\"geometry\":{\"type\":\"LineString\",\"coordinates\":[[0,0],[800,0],[0,800]]}}\n"
         "],\"type\":\"FeatureCollection\"};";
     il_status st = IL_E_NOMEM;
     long k = 0;

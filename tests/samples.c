@@ -299,3 +299,19 @@ int samples_run(const samples *kind, size_t n, const char *spec, const char *fir
         free(cases[i].initial_state);
     return failed;
 }
+
+size_t samples_json_value(const char *text)
+{
+    size_t depth = 0, i = 0;
+    for (bool in_string = false; text[i]; i++) {
+        if (text[i] == '"')
+            in_string = !in_string;
+        else if (in_string && text[i] == '\\')
+            i++;
+        else if (!in_string && (text[i] == '{' || text[i] == '['))
+            depth++;
+        else if (!in_string && (text[i] == '}' || text[i] == ']') && --depth == 0)
+            break;
+    }
+    return i;
+}

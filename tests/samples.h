@@ -26,4 +26,8 @@ typedef struct samples {
  * MUST behind FIRST is followed by one before its paragraph ends. */
 int samples_run(const samples *kind, size_t n, const char *spec, const char *first);
 
+/* For `essential`: up to the end of the first value of JSON.  That another behind it is
+ * not there is not missed. */
+size_t samples_json_value(const char *text);
+
 #endif

@@ -15,28 +15,11 @@ static size_t up_to_contours(const char *text)
     return (size_t)(last - text);
 }
 
-/* Up to the end of the first dataset: a second one that is not there is not missed. */
-static size_t up_to_first_end(const char *text)
-{
-    size_t depth = 0, i = 0;
-    for (bool in_string = false; text[i]; i++) {
-        if (text[i] == '"')
-            in_string = !in_string;
-        else if (in_string && text[i] == '\\')
-            i++;
-        else if (!in_string && (text[i] == '{' || text[i] == '['))
-            depth++;
-        else if (!in_string && (text[i] == '}' || text[i] == ']') && --depth == 0)
-            break;
-    }
-    return i;
-}
-
 int main(void)
 {
     static const samples forms[] = {
         { "dcmdump", ".txt", &il_reader_dcmdump, NULL, NULL, up_to_contours },
-        { "dicom-json", ".json", &il_reader_dicom_json, NULL, NULL, up_to_first_end },
+        { "dicom-json", ".json", &il_reader_dicom_json, NULL, NULL, samples_json_value },
         { "dicom-xml", ".xml", &il_reader_dicom_xml, NULL, ": not well-formed", NULL },
     };
     return samples_run(forms, sizeof forms / sizeof *forms, "dicom", "3.  What is read of a structure set\n\n");

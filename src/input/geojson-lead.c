@@ -86,8 +86,9 @@ bool il_geojson_probe(const unsigned char *head, size_t n)
 {
     const char *s = (const char *)head;
     bool is_call;
-    size_t lead = il_geojson_lead(s, n, &is_call);
-    return begins_object(s, n, lead ? lead : skip_separators(s, n, skip_mark(s, n)));
+    size_t lead = il_geojson_lead(s, n, &is_call), first = skip_separators(s, n, skip_mark(s, n));
+    bool declared = lead && declares(s + first, skip_name(s, n, first) - first); /* the reader says what is wrong with it */
+    return declared || begins_object(s, n, lead ? lead : first);
 }
 
 /* Behind the value that S[I] opens; 0 when it does not end in this line. */

@@ -142,9 +142,11 @@ static il_status read_type(il_geojson *g, object *o)
 static il_status read_list(il_geojson *g, il_json_event event, const char *what, size_t nested)
 {
     il_status st = IL_OK;
+    long line = g->json.line;
+    size_t n = 0;
     if (event != IL_JSON_ARRAY)
-        return il_fail(g->err, IL_E_INPUT, g->json.line, "an array is expected, each element a %s", what);
-    while (st == IL_OK && (st = il_geojson_next(g, &event)) == IL_OK && event != IL_JSON_ARRAY_END) {
+        return il_fail(g->err, IL_E_INPUT, line, "an array is expected, each element a %s", what);
+    for (; st == IL_OK && (st = il_geojson_next(g, &event)) == IL_OK && event != IL_JSON_ARRAY_END; n++) {
         if (event == IL_JSON_OBJECT)
             st = read_object(g, nested + 1);
         else if (event == IL_JSON_NULL)
@@ -152,6 +154,8 @@ static il_status read_list(il_geojson *g, il_json_event event, const char *what,
         else
             st = il_fail(g->err, IL_E_INPUT, g->json.line, "a %s is no object", what);
     }
+    if (st == IL_OK && n == 0 && g->in_feature)
+        il_map_skip(g->set, line, what, "is an empty collection");
     return st;
 }
 
@@ -268,8 +272,9 @@ static il_status pass_lead(il_geojson *g, il_source *source)
     if (n == 0)
         return st;
     g->json.between = is_call ? ");\x1e" : ";\x1e";
+    size_t from = il_json_skip_blanks((const char *)head, n, 0), shown = n - from < SHOWN ? n - from : SHOWN;
     il_report_note(il_map_report(g->set), "%.200s: the JavaScript around the JSON ('%.*s') is passed over", il_map_file(g->set),
-                   (int)(n < SHOWN ? n : SHOWN), (const char *)head);
+                   (int)shown, (const char *)head + from);
     for (size_t k = 0; k < n && got > 0 && st == IL_OK; k += got) {
         st = il_source_read(source, taken, n - k, &got, g->err);
         for (size_t i = 0; i < got; i++)
@@ -278,21 +283,21 @@ static il_status pass_lead(il_geojson *g, il_source *source)
     return st;
 }
 
+/* Objects behind one another, or in an array. */
 static il_status read_texts(il_geojson *g)
 {
     il_json_event event;
     il_status st;
     bool seen = false;
     while ((st = il_geojson_next(g, &event)) == IL_OK && event != IL_JSON_END) {
+        bool is_list = event == IL_JSON_ARRAY_END || (event == IL_JSON_ARRAY && g->json.depth == 1);
         if (event == IL_JSON_OBJECT)
             st = read_object(g, 0);
-        else if (event == IL_JSON_ARRAY)
-            st = read_list(g, event, "feature", 0);
-        else
-            st = il_fail(g->err, IL_E_INPUT, g->json.line, "JSON, but not GeoJSON: GeoJSON is an object, { ... }");
+        else if (!is_list)
+            st = il_fail(g->err, IL_E_INPUT, g->json.line, "JSON, but not GeoJSON, which is an object, { ... }");
         if (st != IL_OK)
             return st;
-        seen = true;
+        seen |= !is_list;
     }
     return st == IL_OK && !seen ? il_fail(g->err, IL_E_INPUT, g->json.line, "there is no GeoJSON in this file") : st;
 }

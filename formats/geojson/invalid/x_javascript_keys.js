@@ -1,0 +1,1 @@
+var lines = { type: "FeatureCollection", features: [ ] };

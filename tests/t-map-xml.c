@@ -333,6 +333,20 @@ static void half_tags_are_text(void **state)
     free(t.s);
 }
 
+/* A line without a height is left out before degrees are looked at. */
+static void what_is_left_out_needs_no_place(void **state)
+{
+    const il_read_options o = IL_READ_OPTIONS_INIT;
+    text t = { NULL, 0, 0 };
+    il_error err = IL_ERROR_INIT;
+    (void)state;
+    say(&t, "<kml>" KML_LINE(a) "7,100 8,100" KML_END KML_LINE(b) "7,50,100 7.01,50,100" KML_END);
+    say(&t, KML_LINE(c) "7,50.1,110 7.01,50.1,110" KML_END "</kml>");
+    assert_int_equal(read_text(&il_reader_kml, &t, &o, &kept, NULL, &err), IL_OK);
+    assert_int_equal(kept.n_lines, 2);
+    free(t.s);
+}
+
 /* ---- what is told ----------------------------------------------------------------------------------- */
 
 static void assert_skipped(const il_report *r, size_t k, long line, const char *what)
@@ -403,6 +417,7 @@ int main(void)
         cmocka_unit_test(texts_are_limited),
         cmocka_unit_test(points_are_limited),
         cmocka_unit_test(half_tags_are_text),
+        cmocka_unit_test(what_is_left_out_needs_no_place),
         cmocka_unit_test(what_is_left_out_is_counted),
         cmocka_unit_test(any_failing_allocation_is_told),
     };

@@ -107,10 +107,14 @@ static il_status add_line(densify *d, il_map_line *l, il_error *err)
     return IL_OK;
 }
 
+/* Are there long edges, or lines that were left out?  Their points go likewise: they
+ * are in no box, so nobody knows whether they have a place. */
 static bool needs_points(const densify *d)
 {
     for (size_t i = 0; i < d->map->n_lines; i++) {
         const il_map_line *l = &d->map->line[i];
+        if (!il_map_takes_part(l))
+            return true;
         for (size_t k = 0; k + 1 < l->n + l->closed; k++)
             if (stray_most(d, d->map->xy + 2 * (l->begin + k), d->map->xy + 2 * (l->begin + (k + 1) % l->n)) > d->tolerance)
                 return true;

@@ -206,7 +206,8 @@ static void what_a_line_has_twice_itself_is_kept_once(void **state)
         /* digitised beyond its beginning, and round twice */
         { "0 0, 1 0, 1 1, 0 1, 0 0, 1 0, 1 1", "o 0 0, 1 0, 1 1, 0 1", "shared_edges 2, joined_lines 1" },
         { "0 0, 1 0, 1 1, 0 1, 0 0, 1 0, 1 1, 0 1, 0 0", "o 0 0, 1 0, 1 1, 0 1", "shared_edges 4, joined_lines 1" },
-        { "o 1 1, 0 1, 0 0, 1 0, 1 1, 0 1, 0 0, 1 0; o 1 0, 0 0, 0 1, 1 1", "o 0 0, 1 0, 1 1, 0 1", "duplicate_lines 1, shared_edges 4" },
+        { "o 1 1, 0 1, 0 0, 1 0, 1 1, 0 1, 0 0, 1 0; o 1 0, 0 0, 0 1, 1 1", "o 0 0, 1 0, 1 1, 0 1",
+          "duplicate_lines 1, shared_edges 4" },
         /* a loop on a stalk */
         { "0 5, 0 0, 1 0, 2 1, 2 -1, 1 0, 0 0, 0 -5", "o 1 0, 2 1, 2 -1; 0 0, 0 -5; 0 0, 1 0; 0 5, 0 0", "shared_edges 1, knots 1, crumbs 3" },
     };
@@ -260,7 +261,8 @@ static void ends_that_lie_apart_are_joined_by_rising_distance(void **state)
         { "0 0, 1 0", "0 0, 1 0", "crumbs 1" }, /* an edge is not joined with itself */
         { "0 0, 1 0; 1.5 0, 2.5 0", "0 0, 1 0, 1.5 0, 2.5 0", "bridged_gaps 1" },
         /* 3 to 3.25 first, so that 4 is left though 3 was near it */
-        { "0 0, 1 9, 3 0; 3.25 0, 3.25 9, 0 9; 4 0, 9 9, 12 0", "0 0, 1 9, 3 0, 3.25 0, 3.25 9, 0 9; 4 0, 9 9, 12 0", "bridged_gaps 1" },
+        { "0 0, 1 9, 3 0; 3.25 0, 3.25 9, 0 9; 4 0, 9 9, 12 0", "0 0, 1 9, 3 0, 3.25 0, 3.25 9, 0 9; 4 0, 9 9, 12 0",
+          "bridged_gaps 1" },
         /* equally near: the least vertices */
         { "0 0, 0 9; 1 0, 5 9; 2 0, 12 9", "0 9, 0 0, 1 0, 5 9; 2 0, 12 9", "bridged_gaps 1, reversed_lines 1, crumbs 1" },
         /* the ends of a knot are no ends that lie apart */
@@ -383,20 +385,6 @@ static void private_lines_are_kept(void **state)
     assert_int_equal(count_extra(s.ring[0].extra), 2);
     assert_int_equal(count_extra(s.ring[1].extra), 1);
     assert_int_equal(count_extra(s.extra), 4); /* its own, and of the three that are dropped */
-    il_slice_free(&s);
-}
-
-static void measures_follow_what_is_dropped_and_closed(void **state)
-{
-    (void)state;
-    const il_join_options o = { 0 };
-    double largest = 0;
-    il_slice s = lines_of("0 0, 3 0, 3 4; 3 4, 0 0; 0 0, 3 0, 3 4");
-    s.length = 2 * (7 + 5 + 7); /* twice what it is in the plane */
-    assert_int_equal(il_slice_join(&s, &o, NULL, NULL, &largest, NULL), IL_OK);
-    assert_int_equal(s.n, 1);
-    assert_true(fabs(s.length - 24) < 1e-9);
-    assert_true(fabs(s.area - 24) < 1e-9);
     il_slice_free(&s);
 }
 
@@ -639,7 +627,6 @@ int main(void)
         cmocka_unit_test(bridges_are_those_of_the_simple_rule),
         cmocka_unit_test(marks_go_with_their_vertices_and_edges),
         cmocka_unit_test(private_lines_are_kept),
-        cmocka_unit_test(measures_follow_what_is_dropped_and_closed),
         cmocka_unit_test(what_was_cut_comes_back),
         cmocka_unit_test(the_order_of_the_lines_does_not_matter),
         cmocka_unit_test(a_hundred_thousand_lines_that_meet_in_a_point_are_one_knot),

@@ -184,27 +184,6 @@ static il_status join_lines(level *l, const il_join_options *o, il_report *repor
     return st;
 }
 
-/* ---- what was measured --------------------------------------------------------------- */
-
-/* Of the lines of S in its plane: their length and what the closed ones enclose. */
-static void measure(const il_slice *s, double *length, double *area)
-{
-    *length = *area = 0;
-    for (size_t i = 0; i < s->n; i++) {
-        *length += il_ring_length(&s->ring[i]);
-        *area += s->ring[i].open ? 0 : fabs(il_ring_area2(&s->ring[i])) / 2;
-    }
-}
-
-/* The ellipsoid's measures have the plane's changes, by the scale between the two. */
-static void measure_again(il_slice *s, double length_before, double area_before)
-{
-    double length, area, scale = s->length / length_before;
-    measure(s, &length, &area);
-    s->length = fmax(s->length + scale * (length - length_before), 0);
-    s->area = fmax(s->area + scale * scale * (area - area_before), 0);
-}
-
 /* ---- a level --------------------------------------------------------------------------- */
 
 static size_t count_crumbs(const il_slice *s)
@@ -220,11 +199,8 @@ il_status il_slice_join(il_slice *s, const il_join_options *o, il_report *report
 {
     level l = { .slice = s, .edges = IL_SHARED_EDGES_INIT, .pieces = IL_PIECES_INIT, .ends = IL_ENDS_INIT };
     il_report own = IL_REPORT_INIT;
-    double length = 0, area = 0;
     if (s->n > INT32_MAX)
         return il_fail(err, IL_E_INPUT, s->line, "more than %d lines at one height", INT32_MAX);
-    if (s->length > 0)
-        measure(s, &length, &area);
     tidy_lines(s, &own);
     il_status st = join_lines(&l, o, &own, largest, err);
     bool in_order = !il_report_any(&own) && st == IL_OK && il_slice_in_order(s);
@@ -232,8 +208,6 @@ il_status il_slice_join(il_slice *s, const il_join_options *o, il_report *report
         *changed = !in_order;
     if (st == IL_OK && !in_order)
         il_slice_put_in_order(s);
-    if (length > 0 && !in_order)
-        measure_again(s, length, area);
     il_report_repair(&own, IL_REPAIR_CRUMB, count_crumbs(s));
     il_report_merge(report, &own);
     return st;

@@ -4,7 +4,7 @@
 #include "base/number.h"
 
 /* changed, before_changed: the last slice of this stack and the one before it are not
- * as they came.  largest: the widest gap bridged in it. */
+ * as they came, or not there any more.  largest: the widest gap bridged in it. */
 typedef struct joiner {
     il_sink sink;
     il_sink *next;
@@ -25,18 +25,22 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     return j->next->stack_begin(j->next, head, err);
 }
 
+/* A level of which nothing is left is none. */
 static il_status slice(il_sink *self, il_slice *s, il_error *err)
 {
     joiner *j = (joiner *)self;
+    size_t n_before = s->n;
     j->before_changed = j->changed;
     il_status st = j->is_terrain ? il_slice_join(s, &j->options, j->report, &j->changed, &j->largest, err) : IL_OK;
-    return st == IL_OK ? j->next->slice(j->next, s, err) : st;
+    if (st != IL_OK || (s->n == 0 && n_before > 0))
+        return st;
+    return j->next->slice(j->next, s, err);
 }
 
 static il_status pair(il_sink *self, il_pair *p, il_error *err)
 {
     joiner *j = (joiner *)self;
-    if ((j->changed || j->before_changed) && il_pair_names_rings(p))
+    if (j->changed || j->before_changed)
         return il_fail(err, IL_E_INPUT, p->line,
                        "this pair speaks of lines that are joined or in another order: run isoloft read on the contours");
     return j->next->pair(j->next, p, err);

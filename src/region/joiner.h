@@ -24,16 +24,15 @@ typedef struct il_join_options { double distance; } il_join_options;
 
 /* Join the lines of S.  Counts into REPORT (may be null); *CHANGED (may be null) tells
  * whether anything is not as it was, be it only the order; *LARGEST grows to the
- * widest gap that was bridged.  Lengths and areas on the ellipsoid follow, with the
- * level's own scale, where lines were dropped, joined or closed.
+ * widest gap that was bridged.
  * Expected O(n) but for the sorting of lines.  IL_E_INPUT beyond 2^31 lines or 2^32 - 2
  * edges, IL_E_NOMEM; S can be freed then. */
 il_status il_slice_join(il_slice *s, const il_join_options *o, il_report *report, bool *changed, double *largest,
                         il_error *err);
 
-/* A sink that joins the lines of each slice of terrain and passes all on to NEXT
- * (borrowed); solids pass untouched.  Counts into REPORT (may be null).  A pair that
- * names rings of a slice that was changed is IL_E_INPUT. */
+/* A sink that joins the lines of each slice of terrain and passes on to NEXT (borrowed)
+ * those of which something is left; solids pass untouched.  Counts into REPORT (may be
+ * null).  A pair of slices of which one was changed is IL_E_INPUT. */
 il_status il_joiner_new(il_sink **out, const il_join_options *o, il_sink *next, il_report *report, il_error *err);
 void il_joiner_free(il_sink *s); /* null is fine */
 

@@ -2,23 +2,12 @@
 #include "base/keymap.h"
 #include "base/alloc.h"
 
-#include <string.h>
-
-/* Finaliser of splitmix64 (Steele, Lea & Flood 2014): every bit of the key
- * reaches every bit of the place. */
-static uint64_t mix(uint64_t z)
-{
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return z ^ z >> 31;
-}
-
 /* Keys may be coordinates from a file: the table's own address goes into the
  * hash, so that no file can be made to have all its keys in one place.  Nothing
  * else depends on where a key lies. */
 static struct il_keymap_slot *find(const il_keymap *m, uint64_t a, uint64_t b)
 {
-    size_t mask = m->size - 1, i = mix(mix(a ^ (uintptr_t)m->slot) + b) & mask;
+    size_t mask = m->size - 1, i = il_keymap_mix(il_keymap_mix(a ^ (uintptr_t)m->slot) + b) & mask;
     while (m->slot[i].used && (m->slot[i].a != a || m->slot[i].b != b))
         i = (i + 1) & mask;
     return &m->slot[i];
@@ -70,12 +59,4 @@ void il_keymap_free(il_keymap *m)
 {
     il_free(m->slot);
     *m = (il_keymap)IL_KEYMAP_INIT;
-}
-
-uint64_t il_keymap_double(double x)
-{
-    uint64_t bits;
-    x = x == 0 ? 0 : x;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
 }

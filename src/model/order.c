@@ -3,13 +3,6 @@
 
 #include <stdlib.h>
 
-static int compare_vertices(const double *a, const double *b)
-{
-    if (a[0] != b[0])
-        return a[0] < b[0] ? -1 : 1;
-    return a[1] == b[1] ? 0 : a[1] < b[1] ? -1 : 1;
-}
-
 static size_t wrapped(size_t i, size_t n)
 {
     return i < n ? i : i - n;
@@ -22,7 +15,7 @@ size_t il_ring_first(const il_ring *r)
 {
     size_t n = r->open ? 0 : r->n, i = 0, j = 1, k = 0;
     while (i < n && j < n && k < n) {
-        int c = compare_vertices(&r->xy[2 * wrapped(i + k, n)], &r->xy[2 * wrapped(j + k, n)]);
+        int c = il_vertex_compare(&r->xy[2 * wrapped(i + k, n)], &r->xy[2 * wrapped(j + k, n)]);
         if (c == 0) {
             k++;
             continue;
@@ -42,8 +35,8 @@ static int compare_sequences(const il_ring_order *a, const il_ring_order *b)
 {
     size_t na = a->ring->n, nb = b->ring->n, n = na < nb ? na : nb;
     for (size_t k = 0; k < n; k++) {
-        int c = compare_vertices(&a->ring->xy[2 * wrapped(a->first + k, na)],
-                                 &b->ring->xy[2 * wrapped(b->first + k, nb)]);
+        int c = il_vertex_compare(&a->ring->xy[2 * wrapped(a->first + k, na)],
+                                  &b->ring->xy[2 * wrapped(b->first + k, nb)]);
         if (c != 0)
             return c;
     }

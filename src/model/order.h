@@ -7,6 +7,15 @@
 
 #include "model/stack.h"
 
+/* Of the vertices A and B, two numbers each: < 0 when A is the lesser, 0 when they
+ * are equal. */
+static inline int il_vertex_compare(const double *a, const double *b)
+{
+    if (a[0] != b[0])
+        return a[0] < b[0] ? -1 : 1;
+    return a[1] == b[1] ? 0 : a[1] < b[1] ? -1 : 1;
+}
+
 /* The vertex R begins with in canonical order: the one whose sequence is least,
  * the first of several.  0 for an open line, which can begin at one end only,
  * and for a ring without vertices.  O(n). */

@@ -25,6 +25,15 @@ static const struct { const char *key, *words; } repairs[IL_N_REPAIRS] = {
     [IL_REPAIR_XOR_PAIR]        = { "xor_pairs",        "pair of equal XOR contours, which cancel" },
     [IL_REPAIR_THICKENED_SLICE] = { "thickened_slices", "single slice given a thickness" },
     [IL_REPAIR_ROUNDED_POINT]   = { "rounded_points",   "point rounded to 32-bit floats" },
+    [IL_REPAIR_POINT_LINE]      = { "point_lines",      "line of a single point dropped" },
+    [IL_REPAIR_SPIKE]           = { "spikes",           "dead end of a line dropped" },
+    [IL_REPAIR_DUPLICATE_LINE]  = { "duplicate_lines",  "line that was there already dropped" },
+    [IL_REPAIR_SHARED_EDGE]     = { "shared_edges",     "edge that was there already dropped from a line" },
+    [IL_REPAIR_JOINED_LINE]     = { "joined_lines",     "joint where two ends meet" },
+    [IL_REPAIR_BRIDGED_GAP]     = { "bridged_gaps",     "gap between two ends bridged" },
+    [IL_REPAIR_REVERSED_LINE]   = { "reversed_lines",   "piece of a line turned round" },
+    [IL_REPAIR_KNOT]            = { "knots",            "place where more than two ends meet, left apart" },
+    [IL_REPAIR_CRUMB]           = { "crumbs",           "line of two points that nothing is joined to" },
 };
 
 const char *il_repair_key(il_repair r)
@@ -141,11 +150,12 @@ void il_report_merge(il_report *to, il_report *from)
     il_report_free(from);
 }
 
-/* Few formats say which way a ring runs, and SVG's y axis turns them all; a
- * pinch is kept as it is. */
+/* Few formats say which way a ring or a line runs, and SVG's y axis turns them all;
+ * a pinch, a knot and a crumb are kept as they are. */
 static bool is_fault(il_repair r)
 {
-    return r != IL_REPAIR_REVERSED_RING && r != IL_REPAIR_PINCH;
+    return r != IL_REPAIR_REVERSED_RING && r != IL_REPAIR_REVERSED_LINE && r != IL_REPAIR_PINCH &&
+           r != IL_REPAIR_KNOT && r != IL_REPAIR_CRUMB;
 }
 
 bool il_report_any(const il_report *r)

@@ -26,8 +26,19 @@ typedef enum il_repair {
     IL_REPAIR_XOR_PAIR,         /* equal contours of type CLOSEDPLANAR_XOR, which cancel */
     IL_REPAIR_THICKENED_SLICE,  /* a slice that nothing is joined to, given a thickness */
     IL_REPAIR_ROUNDED_POINT,    /* coordinates rounded to 32-bit floats (STL) */
+    IL_REPAIR_POINT_LINE,       /* lines of terrain with a single point, dropped; the first that solids have not */
+    IL_REPAIR_SPIKE,            /* places where a line goes and comes back over the same edges, dropped */
+    IL_REPAIR_DUPLICATE_LINE,   /* lines of which every edge is in others, dropped */
+    IL_REPAIR_SHARED_EDGE,      /* edges that were there already, dropped */
+    IL_REPAIR_JOINED_LINE,      /* joints of ends that coincide */
+    IL_REPAIR_BRIDGED_GAP,      /* joints of ends that lie apart (--join) */
+    IL_REPAIR_REVERSED_LINE,    /* pieces turned round so that a joined line runs one way */
+    IL_REPAIR_KNOT,             /* places where more than two ends meet; left apart */
+    IL_REPAIR_CRUMB,            /* lines of two points that nothing is joined to; kept */
     IL_N_REPAIRS
 } il_repair;
+
+enum { IL_N_REPAIRS_OF_SOLIDS = IL_REPAIR_POINT_LINE };
 
 /* snake_case key of the JSON summary, and the words for people (singular). */
 const char *il_repair_key(il_repair r);
@@ -65,8 +76,9 @@ void il_report_repair(il_report *r, il_repair what, size_t n);
 /* All of FROM is counted in TO as well; FROM is empty then. */
 void il_report_merge(il_report *to, il_report *from);
 
-/* Was anything wrong with the input: skipped or repaired?  (--strict)  Rings
- * turned round and pinches are told, but they are no faults. */
+/* Was anything wrong with the input: skipped or repaired?  (--strict)  Rings and
+ * lines turned round, and what is kept as it is (pinches, knots, crumbs), are told,
+ * but they are no faults. */
 bool il_report_any(const il_report *r);
 
 #endif

@@ -106,6 +106,94 @@ void il_ring_rotate(il_ring *r, size_t k)
     reverse_range(r, 0, r->n);
 }
 
+static bool same_point(const il_ring *r, size_t i, size_t j)
+{
+    return r->xy[2 * i] == r->xy[2 * j] && r->xy[2 * i + 1] == r->xy[2 * j + 1];
+}
+
+/* Vertex TO stands for vertex K as well, behind which its edge begins now. */
+static void join_marks(il_ring *r, size_t to, size_t k)
+{
+    if (r->mark)
+        r->mark[to] = (unsigned char)((r->mark[to] & r->mark[k] & IL_VERTEX_INSERTED) | (r->mark[k] & IL_VERTEX_MAP_EDGE));
+}
+
+static void move_vertex(il_ring *r, size_t to, size_t from)
+{
+    if (to == from)
+        return;
+    memmove(r->xy + 2 * to, r->xy + 2 * from, 2 * sizeof *r->xy);
+    if (r->mark)
+        r->mark[to] = r->mark[from];
+}
+
+size_t il_ring_drop_repeated(il_ring *r)
+{
+    size_t n = 0, before = r->n;
+    for (size_t i = 0; i < r->n; i++) {
+        if (n > 0 && same_point(r, i, n - 1))
+            join_marks(r, n - 1, i);
+        else
+            move_vertex(r, n++, i);
+    }
+    if (!r->open && n > 1 && same_point(r, 0, n - 1)) {
+        n--;
+        if (r->mark)
+            r->mark[0] &= (unsigned char)(r->mark[n] | IL_VERTEX_MAP_EDGE);
+    }
+    r->n = n;
+    return before - n;
+}
+
+/* Is there a vertex whose neighbours are one place? */
+static bool has_spike(const il_ring *r)
+{
+    for (size_t i = 2; i < r->n; i++)
+        if (same_point(r, i, i - 2))
+            return true;
+    return !r->open && r->n > 2 && (same_point(r, r->n - 1, 1) || same_point(r, r->n - 2, 0));
+}
+
+/* Spikes around the first vertex of a ring that has no others. */
+static size_t drop_spikes_at_start(il_ring *r)
+{
+    size_t first = 0, before = r->n, n = r->n;
+    while (n > 2 && (same_point(r, first + n - 2, first) || same_point(r, first + 1, first + n - 1))) {
+        if (same_point(r, first + n - 2, first)) {
+            if (r->mark)
+                r->mark[first] &= (unsigned char)(r->mark[first + n - 2] | IL_VERTEX_MAP_EDGE);
+        } else {
+            join_marks(r, first + n - 1, first + 1);
+            move_vertex(r, first + 1, first + n - 1);
+            first++;
+        }
+        n -= 2;
+    }
+    for (size_t i = 0; i < n; i++)
+        move_vertex(r, i, first + i);
+    r->n = n;
+    return n < before;
+}
+
+size_t il_ring_drop_spikes(il_ring *r)
+{
+    size_t n = 0, n_spikes = 0;
+    bool back = false; /* the vertex before was one of a spike's way back */
+    if (!has_spike(r))
+        return 0;
+    for (size_t i = 0; i < r->n; i++) {
+        bool meets = n > 1 && same_point(r, i, n - 2);
+        n_spikes += meets && !back;
+        back = meets;
+        if (meets)
+            join_marks(r, --n - 1, i);
+        else
+            move_vertex(r, n++, i);
+    }
+    r->n = n;
+    return n_spikes + (r->open ? 0 : drop_spikes_at_start(r));
+}
+
 bool il_extra_add(il_extra **list, const char *text, size_t n)
 {
     il_extra *e = il_alloc(1, sizeof *e);

@@ -50,6 +50,16 @@ void il_ring_reverse(il_ring *r);
 /* Make vertex K the first; K < n. */
 void il_ring_rotate(il_ring *r, size_t k);
 
+/* Drop vertices equal to the one before, and of a closed ring last ones equal to
+ * the first; how many.  A vertex is marked as inserted when all were of which it
+ * is left, and has the map-edge mark of the last. */
+size_t il_ring_drop_repeated(il_ring *r);
+
+/* Drop where R, without repeated vertices, goes and comes back over the same edges:
+ * of ... a b c b d ... is left a b d.  How many such places; marks as above.  A ring may
+ * be left with fewer than three vertices, an open line has its two ends. */
+size_t il_ring_drop_spikes(il_ring *r);
+
 /* Lines that start with x-, kept in order for whoever understands them. */
 typedef struct il_extra {
     char *text;             /* without the line's end */

@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "bridge/boxes.h"
 #include "bridge/predicates.h"
+#include "model/order.h"
 #include "model/ring.h"
 #include "region/near.h"
 
@@ -124,16 +125,9 @@ static double clamp(double v, double a, double b)
     return fmin(fmax(v, fmin(a, b)), fmax(a, b));
 }
 
-static int compare_points(const double *p, const double *q)
-{
-    if (p[0] != q[0])
-        return p[0] < q[0] ? -1 : 1;
-    return p[1] < q[1] ? -1 : p[1] > q[1];
-}
-
 static void order(const double **p, const double **q)
 {
-    if (compare_points(*p, *q) > 0) {
+    if (il_vertex_compare(*p, *q) > 0) {
         const double *swap = *p;
         *p = *q, *q = swap;
     }
@@ -145,7 +139,7 @@ static void crossing_point(const double *a, const double *b, const double *c, co
 {
     order(&a, &b);
     order(&c, &d);
-    int first = compare_points(a, c) != 0 ? compare_points(a, c) : compare_points(b, d);
+    int first = il_vertex_compare(a, c) != 0 ? il_vertex_compare(a, c) : il_vertex_compare(b, d);
     if (first > 0) {
         const double *swap = a;
         a = c, c = swap;

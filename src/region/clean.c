@@ -32,47 +32,11 @@ static void round_ring(il_ring *r, il_report *report)
         il_report_repair(report, IL_REPAIR_ROUNDED_POINT, moved);
 }
 
-static bool same_point(const il_ring *r, size_t i, size_t j)
-{
-    return r->xy[2 * i] == r->xy[2 * j] && r->xy[2 * i + 1] == r->xy[2 * j + 1];
-}
-
 /* One zero, so that the same contours give the same bytes on every road. */
 static void drop_negative_zeros(il_ring *r)
 {
     for (size_t i = 0; i < 2 * r->n; i++)
         r->xy[i] += 0.0;
-}
-
-/* Vertex TO stands for vertex K as well, behind which its edge begins now. */
-static void join_marks(il_ring *r, size_t to, size_t k)
-{
-    if (r->mark)
-        r->mark[to] = (unsigned char)((r->mark[to] & r->mark[k] & IL_VERTEX_INSERTED) | (r->mark[k] & IL_VERTEX_MAP_EDGE));
-}
-
-/* Drop vertices equal to the one before, and last ones equal to the first. */
-static void drop_repeated(il_ring *r, il_report *report)
-{
-    size_t n = 0;
-    for (size_t i = 0; i < r->n; i++) {
-        if (n > 0 && same_point(r, i, n - 1)) {
-            join_marks(r, n - 1, i);
-            continue;
-        }
-        memmove(r->xy + 2 * n, r->xy + 2 * i, 2 * sizeof *r->xy);
-        if (r->mark)
-            r->mark[n] = r->mark[i];
-        n++;
-    }
-    if (n > 1 && same_point(r, 0, n - 1)) {
-        n--;
-        if (r->mark)
-            r->mark[0] &= (unsigned char)(r->mark[n] | IL_VERTEX_MAP_EDGE);
-    }
-    if (n < r->n)
-        il_report_repair(report, IL_REPAIR_REPEATED_POINT, r->n - n);
-    r->n = n;
 }
 
 /* All vertices on one line, or fewer than three: no area to bound. */
@@ -98,19 +62,12 @@ static const double *point_of(const reading *r, size_t i)
     return r->ring->xy + 2 * (k >= n ? k - n : k);
 }
 
-static int compare_points(const double *p, const double *q)
-{
-    if (p[0] != q[0])
-        return p[0] < q[0] ? -1 : 1;
-    return p[1] < q[1] ? -1 : p[1] > q[1];
-}
-
 static int compare_shapes(const reading *a, const reading *b)
 {
     if (a->ring->n != b->ring->n)
         return a->ring->n < b->ring->n ? -1 : 1;
     for (size_t i = 0; i < a->ring->n; i++) {
-        int c = compare_points(point_of(a, i), point_of(b, i));
+        int c = il_vertex_compare(point_of(a, i), point_of(b, i));
         if (c)
             return c;
     }
@@ -182,7 +139,7 @@ static il_status prepare_rings(il_slice *s, const il_clean_options *o, il_report
     il_report_repair(report, IL_REPAIR_TOUCH, joined);
     for (size_t i = 0; i < s->n; i++) {
         il_ring *r = &s->ring[i];
-        drop_repeated(r, report);
+        il_report_repair(report, IL_REPAIR_REPEATED_POINT, il_ring_drop_repeated(r));
         if (is_degenerate(r)) {
             il_report_repair(report, IL_REPAIR_DEGENERATE_RING, 1);
             r->n = 0;

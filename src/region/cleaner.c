@@ -81,8 +81,6 @@ static il_status merge(il_slice *to, il_slice *from, il_error *err)
         from->ring[i] = (il_ring)IL_RING_INIT;
     }
     il_extra_move(&to->extra, &from->extra);
-    to->length += from->length;
-    to->area += from->area;
     return IL_OK;
 }
 

@@ -451,6 +451,19 @@ static void bands_have_lines_between_them(void **state)
     assert_noted("isolines are the 2 edges between two of them; 8 edges on the map's frame are none");
 }
 
+static void the_outermost_bands_may_lack_an_end(void **state)
+{
+    (void)state;
+    const char *other[] = { "a min 0 a max -20", "a max -20", "a min '' a max -20" };
+    for (size_t k = 0; k < sizeof other / sizeof *other; k++) {
+        char text[400];
+        snprintf(text, sizeof text, "f %s ring 0 0 10 0 10 10 0 10 f a min -20 a max 10 ring 10 0 20 0 20 10 10 10 "
+                 "f a min 10 %s ring 20 0 30 0 30 10 20 10", other[k], k == 0 ? "a max 0" : "");
+        assert_string_equal(heights(read_map(text, NULL)), " -20 10");
+        assert_int_equal(report.n_skipped, 0);
+    }
+}
+
 static void an_island_of_a_band_is_a_ring(void **state)
 {
     (void)state;
@@ -535,6 +548,7 @@ int main(void)
         cmocka_unit_test(longitudes_run_across_the_antimeridian),
         cmocka_unit_test(maps_around_a_pole_are_stereographic),
         cmocka_unit_test(bands_have_lines_between_them),
+        cmocka_unit_test(the_outermost_bands_may_lack_an_end),
         cmocka_unit_test(an_island_of_a_band_is_a_ring),
         cmocka_unit_test(bands_that_are_no_neighbours_meet_in_a_cliff),
         cmocka_unit_test(one_height_for_each_band_is_too_little),

@@ -60,6 +60,19 @@ static double z_of(const il_map_line *l, double relief)
     return flat ? l->z_low : NAN;
 }
 
+/* The lower height of a band, whose other end may be made up: the lowest and the highest
+ * band of a map often have one only, and gdal_contour then writes 0 for the other. */
+static double band_from(double low, double *upper)
+{
+    if (isnan(low) || (low == 0 && *upper < 0))
+        return nextafter(*upper, -INFINITY);
+    if (low > 0 && *upper == 0)
+        *upper = NAN;
+    if (isnan(*upper))
+        *upper = nextafter(low, INFINITY);
+    return low < *upper ? low : NAN;
+}
+
 /* The height of L at PLACE, and *UPPER that of a band. */
 static double height_at(const il_map *m, const il_map_where *place, const il_map_line *l, double relief, double *upper)
 {
@@ -70,7 +83,7 @@ static double height_at(const il_map *m, const il_map_where *place, const il_map
     if (place->kind == IL_MAP_COLUMN)
         return low;
     *upper = value_of(&m->column[place->high], l);
-    return l->kind == IL_MAP_RING && low < *upper ? low : NAN;
+    return l->kind == IL_MAP_RING ? band_from(low, upper) : NAN;
 }
 
 /* How many lines have a height at PLACE, and whether there are two different ones. */

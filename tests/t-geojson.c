@@ -240,7 +240,7 @@ static void lines_count_on_behind_javascript_and_texts(void **state)
     snprintf(text, sizeof text, "%s\n\x1e%s\n\n%s", two, two, "{\"type\":\"Line\"}");
     assert_refused(text, 4, "'Line' is no type of GeoJSON");
     snprintf(text, sizeof text, "%s", "{\"coordinates\":[\n[0,0],\n[1,1e15]\n],\n\"type\":\"LineString\"}");
-    assert_refused(text, 3, "the coordinate 1000000000000000 is not below 1e15");
+    assert_refused(text, 3, "a coordinate is not below 1e15");
 }
 
 static void zero_bytes_are_bytes(void **state)

@@ -240,7 +240,17 @@ static void lines_count_on_behind_javascript_and_texts(void **state)
     snprintf(text, sizeof text, "%s\n\x1e%s\n\n%s", two, two, "{\"type\":\"Line\"}");
     assert_refused(text, 4, "'Line' is no type of GeoJSON");
     snprintf(text, sizeof text, "%s", "{\"coordinates\":[\n[0,0],\n[1,1e15]\n],\n\"type\":\"LineString\"}");
-    assert_refused(text, 3, "the coordinate 1000000000000000 is not below 1e15");
+    assert_refused(text, 3, "a coordinate is not below 1e15");
+}
+
+static void an_object_without_a_type_is_refused_by_what_it_has(void **state)
+{
+    (void)state;
+    assert_refused("{\"properties\":{}}", 1, "an object of GeoJSON has no type (it has 'properties')");
+    assert_refused("{\"properties\":{},\"geometry\":null}", 1, "an object of GeoJSON has no type (it has 'geometry')");
+    assert_refused("{\"features\":[],\n\"spatialReference\":1}", 1,
+                   "Esri JSON, not GeoJSON (its members are 'spatialReference'); ogr2ogr -f GeoJSONSeq makes what isoloft reads");
+    assert_refused("{\"type\":\"FeatureCollection\",\"features\":[],\"rings\":1}", 0, "has no lines and no polygons, so no isolines");
 }
 
 static void zero_bytes_are_bytes(void **state)
@@ -344,6 +354,7 @@ int main(void)
         cmocka_unit_test(what_is_left_out_is_counted_with_its_line),
         cmocka_unit_test(what_is_passed_over_is_told_once),
         cmocka_unit_test(lines_count_on_behind_javascript_and_texts),
+        cmocka_unit_test(an_object_without_a_type_is_refused_by_what_it_has),
         cmocka_unit_test(zero_bytes_are_bytes),
         cmocka_unit_test(many_positions_come_out_as_they_are_written),
         cmocka_unit_test(hostile_amounts_end_in_linear_time),

@@ -22,7 +22,7 @@ typedef enum kind { UNKNOWN, COLLECTION, FEATURE, GEOMETRIES, GEOMETRY, N_KINDS 
 
 typedef enum member { TYPE, CRS, FEATURES, GEOMETRY_OF, PROPERTIES, GEOMETRIES_OF, COORDINATES, ESRI, FOREIGN } member;
 
-/* In the order of what a feature has most often.  ESRI: those of Esri's own JSON. */
+/* In the order of what features have most.  ESRI: those of Esri's own JSON. */
 static const struct { const char *name; member member; } members[] = {
     { "type", TYPE }, { "properties", PROPERTIES }, { "geometry", GEOMETRY_OF }, { "coordinates", COORDINATES },
     { "features", FEATURES }, { "geometries", GEOMETRIES_OF }, { "crs", CRS },
@@ -71,11 +71,13 @@ static void remember(const il_geojson *g, object *o)
 /* O has ended without a type. */
 static il_status fail_object(const il_geojson *g, const object *o)
 {
-    static const char *const by[N_KINDS] = { "", "features", "geometry", "geometries", "coordinates" };
+    static const char *const by[N_KINDS] = { "", "features", "properties", "geometries", "coordinates" };
+    bool has_geometry = o->seen & 1u << GEOMETRY_OF;
     if (o->seen & 1u << ESRI)
         return il_fail(g->err, IL_E_INPUT, o->line, "Esri JSON, not GeoJSON (its members are %s); %s", o->names, ogr);
     if (o->kind != UNKNOWN)
-        return il_fail(g->err, IL_E_INPUT, o->line, "an object of GeoJSON has no type (it has '%s')", by[o->kind]);
+        return il_fail(g->err, IL_E_INPUT, o->line, "an object of GeoJSON has no type (it has '%s')",
+                       has_geometry ? "geometry" : by[o->kind]);
     if (!*o->names)
         return il_fail(g->err, IL_E_INPUT, o->line, "JSON, but not GeoJSON: an object without members");
     return il_fail(g->err, IL_E_INPUT, o->line, "JSON, but not GeoJSON: no type, and the members are %s", o->names);
@@ -199,24 +201,34 @@ static member find_member(const il_geojson *g)
     return FOREIGN;
 }
 
+/* Is M looked into in O, whose kind may not be known yet? */
+static bool is_own(const object *o, member m)
+{
+    bool in_any = m == TYPE || m == CRS, in_none = kind_of_member[m] == UNKNOWN;
+    return in_any || (!in_none && (o->kind == UNKNOWN || o->kind == kind_of_member[m]));
+}
+
+static il_status pass_over(il_geojson *g, object *o, member m)
+{
+    if (o->type == IL_GEOJSON_NONE && (o->kind == UNKNOWN || m == ESRI))
+        remember(g, o);
+    if (m == ESRI)
+        o->seen |= 1u << m;
+    return il_geojson_skip(g, IL_JSON_KEY);
+}
+
 /* The member whose key is at hand. */
 static il_status take_member(il_geojson *g, object *o, size_t nested)
 {
     member m = find_member(g);
-    bool is_any = m == TYPE || m == CRS;
-    kind k = is_any ? UNKNOWN : kind_of_member[m];
     il_status st = IL_OK;
-    if (o->kind == UNKNOWN && !is_any && k == UNKNOWN)
-        remember(g, o);
-    if (m == ESRI)
-        o->seen |= 1u << ESRI;
-    if (!is_any && (k == UNKNOWN || (o->kind != UNKNOWN && o->kind != k)))
-        return il_geojson_skip(g, IL_JSON_KEY);
+    if (!is_own(o, m))
+        return pass_over(g, o, m);
     if (o->seen & 1u << m)
         return il_fail(g->err, IL_E_INPUT, g->json.line, "'%.*s' comes twice in one object", (int)g->json.n, g->json.text);
     o->seen |= 1u << m;
-    if (o->kind == UNKNOWN && !is_any)
-        st = set_kind(g, o, k);
+    if (o->kind == UNKNOWN && kind_of_member[m] != UNKNOWN)
+        st = set_kind(g, o, kind_of_member[m]);
     return st == IL_OK ? read_value(g, o, m, nested) : st;
 }
 

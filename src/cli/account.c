@@ -22,6 +22,7 @@ static void stack_account_free(il_stack_account *s)
     il_free(s->file);
     il_free(s->error);
     il_free(s->gap);
+    il_terrain_free(&s->terrain);
     il_report_free(&s->report);
 }
 
@@ -51,6 +52,7 @@ static il_status open_record(il_account *a, const il_stack_head *head, il_error 
     const char *name = il_stack_head_name(head);
     il_stack_account s = { .has_number = head->has_number, .has_color = head->has_color, .number = head->number,
                            .unit = head->unit, .set_spacing = head->usual_spacing, .planes = words_of_planes(head),
+                           .is_terrain = head->kind == IL_KIND_TERRAIN,
                            .box = { INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY },
                            .report = IL_REPORT_INIT };
     memcpy(s.color, head->color, sizeof s.color);
@@ -58,11 +60,12 @@ static il_status open_record(il_account *a, const il_stack_head *head, il_error 
     bool ok = s.name && copy_attribute(&s.type, head, "RTROIInterpretedType") &&
               copy_attribute(&s.algorithm, head, "ROIGenerationAlgorithm") &&
               copy_attribute(&s.frame_uid, head, "FrameOfReferenceUID");
-    if (!ok) {
+    if (!ok || (s.is_terrain && il_terrain_begin(&s.terrain, head, err) != IL_OK)) {
         stack_account_free(&s);
         return il_fail_nomem(err);
     }
     a->stack[a->n++] = s;
+    a->ends_here = s.is_terrain && a->next_mesh;
     a->began = a->began > 0 ? a->began : il_clock_seconds();
     a->in_stack = true;
     a->skipping = false;
@@ -97,8 +100,10 @@ static il_status count_slice(il_account *a, const il_slice *slice, il_error *err
         a->inserted_rings += slice->n;
         a->inserted_points += il_slice_points(slice);
     }
-    il_sections_slice(&s->sections, slice, counts);
-    return il_slicing_slice(&a->slicing, slice->z, counts, err);
+    if (!s->is_terrain)
+        il_sections_slice(&s->sections, slice, counts);
+    il_status st = s->is_terrain ? il_terrain_slice(&s->terrain, slice, err) : IL_OK;
+    return st == IL_OK ? il_slicing_slice(&a->slicing, slice->z, counts, err) : st;
 }
 
 /* ---- a record is closed -------------------------------------------------- */
@@ -119,7 +124,9 @@ static il_status find_gaps(il_account *a, il_error *err)
     const il_slicing *h = &a->slicing;
     il_stack_account *s = current(a);
     il_status st = il_spacing_measure(&s->spacing, h->z, h->n, err);
-    for (size_t k = 1; k < h->n && st == IL_OK; k++) {
+    if (st == IL_OK && s->is_terrain)
+        il_terrain_settle(&s->terrain, &s->spacing, s->box);
+    for (size_t k = 1; k < h->n && st == IL_OK && !s->is_terrain; k++) {
         if (!h->gap_below[k] && !il_spacing_is_gap(&s->spacing, h->z[k - 1], h->z[k]))
             continue;
         if (!il_grow(&s->gap, &s->cap_gaps, s->n_gaps + 1, sizeof *s->gap))
@@ -144,7 +151,7 @@ static void merge_rounding(il_report *r, il_report *rounding)
 static il_status close_record(il_account *a, il_error *err)
 {
     il_stack_account *s = current(a);
-    a->in_stack = a->skipping = false;
+    a->in_stack = a->skipping = a->ends_here = false;
     merge_rounding(&a->report, &a->rounding);
     s->seconds = il_clock_seconds() - a->began;
     a->began = 0;
@@ -218,21 +225,26 @@ static il_account *of_contours(il_sink *self)
     return (il_account *)(void *)((char *)self - offsetof(il_account, contours));
 }
 
+static il_status begin_stack(il_account *a, const il_stack_head *head, il_error *err)
+{
+    il_status st = il_stack_head_refuse_fault(head, err);
+    if (st == IL_OK && current(a)->is_terrain && a->options.no_terrain)
+        st = il_fail(err, IL_E_INPUT, head->line, "stack '%.80s' is " IL_TERRAIN_REFUSED, il_stack_head_name(head));
+    return st == IL_OK && !a->ends_here ? a->next->stack_begin(a->next, head, err) : st;
+}
+
 static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
 {
     il_account *a = of_contours(self);
     il_status st = open_record(a, head, err);
-    if (st != IL_OK)
-        return st;
-    st = il_stack_head_refuse_fault(head, err);
-    return settle(a, st == IL_OK ? a->next->stack_begin(a->next, head, err) : st, err);
+    return st == IL_OK ? settle(a, begin_stack(a, head, err), err) : st;
 }
 
 static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)
 {
     il_account *a = of_contours(self);
     il_status st = count_slice(a, slice, err);
-    if (st != IL_OK || a->skipping)
+    if (st != IL_OK || a->skipping || a->ends_here)
         return st;
     il_progress_show(a->options.voice, current(a)->name, current(a)->slices, 0);
     return settle(a, a->next->slice(a->next, slice, err), err);
@@ -244,7 +256,7 @@ static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
     il_sections_pair(&current(a)->sections, pair);
     if (pair->gap)
         il_slicing_gap(&a->slicing);
-    return a->skipping ? IL_OK : settle(a, a->next->pair(a->next, pair, err), err);
+    return a->skipping || a->ends_here ? IL_OK : settle(a, a->next->pair(a->next, pair, err), err);
 }
 
 /* A stack without contours has no surface, and takes none from the others. */
@@ -262,7 +274,9 @@ static il_status on_stack_end(il_sink *self, il_error *err)
 {
     il_account *a = of_contours(self);
     il_status st = IL_OK;
-    if (a->next_mesh && current(a)->points == 0 && !a->skipping) {
+    if (a->ends_here && !a->skipping) {
+        st = settle(a, check_strict(a, err), err);
+    } else if (a->next_mesh && current(a)->points == 0 && !a->skipping) {
         st = settle(a, leave_out_empty(a, err), err);
     } else if (!a->skipping) {
         st = a->next_mesh ? IL_OK : check_strict(a, err);

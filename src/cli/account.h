@@ -8,6 +8,7 @@
 #include "cli/message.h"
 #include "cli/sections.h"
 #include "cli/slicing.h"
+#include "cli/terrain.h"
 #include "model/mesh.h"
 #include "model/report.h"
 #include "model/sink.h"
@@ -29,11 +30,13 @@ typedef struct il_gap {
  * than across z, in words, or null.  seconds: from when the
  * reader hands over the stack's beginning until its surface is done, wall-clock.
  * has_mesh: facts were given, so the surface is certified.  file: what it was
- * written to in a folder, or null.  error: one line, null unless it failed. */
+ * written to in a folder, or null.  error: one line, null unless it failed.
+ * is_terrain: its slices are levels, and its rings lines; terrain tells of them, and
+ * there are no gaps and no sections. */
 typedef struct il_stack_account {
     char *name, *type, *algorithm, *frame_uid, *file, *error;
     const char *planes;
-    bool has_number, has_color, has_mesh;
+    bool has_number, has_color, has_mesh, is_terrain;
     long number;
     unsigned char color[3];
     il_unit unit;
@@ -42,6 +45,7 @@ typedef struct il_stack_account {
     il_spacing spacing;
     double set_spacing;
     il_sections sections;
+    il_terrain terrain;
     double seconds;
     il_gap *gap;        size_t n_gaps, cap_gaps;
     il_report report;
@@ -52,10 +56,10 @@ typedef struct il_stack_account {
 /* keep_going: a stack without a surface does not end the run.  strict: a stack
  * that was repaired, or that something of was skipped, fails.  empty_allowed: a
  * run without any stack is no failure.  input: the name for errors that know
- * none, null when there are several.  file_of: names the file of the stack that
+ * none, null when there are several.  no_terrain: a stack of terrain fails.  file_of: names the file of the stack that
  * has just ended, null when there is none. */
 typedef struct il_account_options {
-    bool keep_going, strict, empty_allowed;
+    bool keep_going, strict, empty_allowed, no_terrain;
     const char *input;
     il_voice *voice;
     const char *(*file_of)(void *self);
@@ -66,7 +70,8 @@ typedef struct il_account_options {
  * ends next.  rounding: that of the stage that rounds for STL, which cleans what
  * is clean already.  slicing, inserted_...: of the current stack, and how much of
  * its slices isoloft put there (il_slice_is_inserted).  skipping: it has failed,
- * and what still comes of it is dropped.
+ * and what still comes of it is dropped.  ends_here: it is terrain, which is counted
+ * where there are meshes, and goes no farther.
  * began: when the current stack did, for a stopwatch to set (0: at the tap).
  * worst: the highest code of any stack. */
 typedef struct il_account {
@@ -79,7 +84,7 @@ typedef struct il_account {
     il_stack_account *stack;    size_t n, cap;
     il_slicing slicing;
     size_t inserted_slices, inserted_rings, inserted_points;
-    bool in_stack, in_mesh, skipping;
+    bool in_stack, in_mesh, skipping, ends_here;
     double began;
     size_t n_triangles;
     il_status worst;
@@ -95,6 +100,9 @@ double il_stack_account_slice_sum(const il_stack_account *s);
 /* The taps, in front of NEXT (borrowed). */
 il_sink *il_account_contours(il_account *a, il_sink *next);
 il_mesh_sink *il_account_meshes(il_account *a, il_mesh_sink *next);
+
+/* What is said of terrain where a surface is asked for: it is ... */
+#define IL_TERRAIN_REFUSED "terrain, of which this version makes no surface yet ('isoloft read' and 'isoloft info' take it)"
 
 /* The run is over with ST: a stack that is still open failed with it. */
 void il_account_close(il_account *a, il_status st, const il_error *err);

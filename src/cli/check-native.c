@@ -8,6 +8,7 @@
 #include "cli/table.h"
 #include "model/tee.h"
 #include "region/clean.h"
+#include "region/joiner.h"
 
 /* result: the account of the stream as cleaning found it.  different_line: of
  * the first that is not as the canonical form has it; 0 when none is. */
@@ -79,16 +80,19 @@ static long first_difference(const unsigned char *a, size_t n_a, const unsigned 
     return k == n_a && k == n_b ? 0 : line;
 }
 
-/* The stream goes to the writer as it is, and through cleaning into the account. */
+/* The stream goes to the writer as it is, and through cleaning and joining into the account. */
 static il_status examine(finding *f, il_source *bytes, const il_options *o, il_output *canonical, il_error *err)
 {
     il_sink nowhere = { ignore_head, ignore_slice, ignore_pair, ignore_end, ignore_end };
     il_account *a = &f->result.account;
     il_clean_options c = { .round_float = false };
-    il_sink *writer = NULL, *cleaner = NULL, *tee = NULL;
+    il_join_options ends_meet = { 0 };
+    il_sink *writer = NULL, *joiner = NULL, *cleaner = NULL, *tee = NULL;
     il_status st = il_writer_loft.contours_new(&writer, canonical, err);
     if (st == IL_OK)
-        st = il_cleaner_new(&cleaner, &c, il_account_contours(a, &nowhere), &a->report, err);
+        st = il_joiner_new(&joiner, &ends_meet, il_account_contours(a, &nowhere), &a->report, err);
+    if (st == IL_OK)
+        st = il_cleaner_new(&cleaner, &c, joiner, &a->report, err);
     if (st == IL_OK)
         st = il_tee_new(&tee, writer, cleaner, err);
     if (st == IL_OK)
@@ -96,18 +100,24 @@ static il_status examine(finding *f, il_source *bytes, const il_options *o, il_o
     il_tee_free(tee);
     if (cleaner)
         il_cleaner_free(cleaner);
+    il_joiner_free(joiner);
     if (writer)
         il_writer_loft.contours_free(writer);
     return st;
 }
 
-/* Pinches are kept, so they are no repair. */
+/* What is kept as it is is no repair. */
+static bool is_kept(int repair)
+{
+    return repair == IL_REPAIR_PINCH || repair == IL_REPAIR_KNOT || repair == IL_REPAIR_CRUMB;
+}
+
 static bool needs_no_repair(const il_account *a)
 {
     size_t n = 0;
     for (size_t i = 0; i < a->n; i++)
         for (int k = 0; k < IL_N_REPAIRS; k++)
-            n += k == IL_REPAIR_PINCH ? 0 : a->stack[i].report.repair[k];
+            n += is_kept(k) ? 0 : a->stack[i].report.repair[k];
     return n == 0;
 }
 

@@ -47,14 +47,15 @@ static bool add_count(il_grid *g, size_t n)
 static bool add_row(il_grid *g, const il_stack_account *s, bool narrow)
 {
     char number[24] = "-", color[8] = "-", spacing[40] = "-";
+    const char *type = s->type && *s->type ? s->type : s->is_terrain ? "terrain" : "-";
     if (s->has_number)
         snprintf(number, sizeof number, "%ld", s->number);
     if (s->has_color)
         snprintf(color, sizeof color, "#%02x%02x%02x", s->color[0], s->color[1], s->color[2]);
     if (s->slices > 1)
-        snprintf(spacing, sizeof spacing, "%.6g %s", s->spacing.usual, il_unit_name(s->unit));
+        snprintf(spacing, sizeof spacing, "%.6g %s", s->spacing.usual, il_unit_name(s->is_terrain ? il_terrain_unit_of_z(s->unit) : s->unit));
     return il_grid_add(g, number, 0) && il_grid_add(g, s->name, narrow ? NAME_COLUMNS : 0) &&
-           il_grid_add(g, s->type && *s->type ? s->type : "-", narrow ? TYPE_COLUMNS : 0) && il_grid_add(g, color, 0) &&
+           il_grid_add(g, type, narrow ? TYPE_COLUMNS : 0) && il_grid_add(g, color, 0) &&
            add_count(g, s->slices) && add_count(g, s->rings) && add_count(g, s->points) && il_grid_add(g, spacing, 0) &&
            add_oddities(g, s);
 }

@@ -24,6 +24,14 @@ static const char *const repair_words[IL_N_REPAIRS][2] = {
     [IL_REPAIR_FLATTENED_POINT] = { "flattened point", "flattened points" },
     [IL_REPAIR_MOVED_CONTOUR]   = { "moved contour", "moved contours" },
     [IL_REPAIR_XOR_PAIR]        = { "cancelled XOR pair", "cancelled XOR pairs" },
+    [IL_REPAIR_POINT_LINE]      = { "line of one point", "lines of one point" },
+    [IL_REPAIR_SPIKE]           = { "dead end", "dead ends" },
+    [IL_REPAIR_DUPLICATE_LINE]  = { "duplicate line", "duplicate lines" },
+    [IL_REPAIR_SHARED_EDGE]     = { "duplicate edge", "duplicate edges" },
+    [IL_REPAIR_JOINED_LINE]     = { "joint", "joints" },
+    [IL_REPAIR_BRIDGED_GAP]     = { "bridged gap", "bridged gaps" },
+    [IL_REPAIR_KNOT]            = { "knot", "knots" },
+    [IL_REPAIR_CRUMB]           = { "line of two points", "lines of two points" },
 };
 
 typedef struct teller {
@@ -67,6 +75,16 @@ static void tell_spacing(const teller *t, const il_stack_account *s)
         tell(t, "spacing unlike the others'");
 }
 
+static void tell_levels(const teller *t, const il_stack_account *s)
+{
+    if (s->points > 0 && s->slices == 1)
+        tell(t, "single level");
+    else if (s->slices > 1 && !(s->terrain.interval > 0))
+        tell(t, "uneven interval");
+    tell_count(t, s->terrain.n_missing, "missing level", "missing levels");
+    tell_count(t, s->terrain.n_inside, "open end inside the map", "open ends inside the map");
+}
+
 void il_oddities_each(const il_stack_account *s, void (*each)(void *self, const char *words), void *self)
 {
     teller t = { each, self };
@@ -78,7 +96,7 @@ void il_oddities_each(const il_stack_account *s, void (*each)(void *self, const 
         snprintf(words, sizeof words, "planes %s", s->planes);
         tell(&t, words);
     }
-    tell_spacing(&t, s);
+    s->is_terrain ? tell_levels(&t, s) : tell_spacing(&t, s);
     for (int k = 0; k < IL_N_REPAIRS; k++)
         if (repair_words[k][0])
             tell_count(&t, s->report.repair[k], repair_words[k][0], repair_words[k][1]);

@@ -47,6 +47,11 @@ static il_status apply(il_options *o, const il_option *p, const char *value, boo
     return p->set(o, value, on, err);
 }
 
+bool il_options_given(const il_options *o, const char *name)
+{
+    return o->given >> (find_long(name, strlen(name)) - il_option_table) & 1;
+}
+
 static bool needs_value(const il_option *p)
 {
     return p->kind == IL_OPTION_VALUE || p->kind == IL_OPTION_VALUE_OR_NO;

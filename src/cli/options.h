@@ -88,6 +88,9 @@ typedef struct il_option {
     il_status (*set)(il_options *o, const char *value, bool on, il_error *err);
 } il_option;
 
+/* Was the option called NAME, one of the table, given? */
+bool il_options_given(const il_options *o, const char *name);
+
 extern const il_option il_option_table[];   /* ends with a null name */
 
 const char *il_verb_name(il_verb v);

@@ -86,21 +86,49 @@ static il_status find_reader(pipeline *p, il_error *err)
     return IL_OK;
 }
 
+/* Terrain can be read, described and drawn only. */
+static bool needs_surface(const il_options *o, const il_plan *plan)
+{
+    return !plan->survey && (plan->loft || o->verb == IL_VERB_MATCH);
+}
+
+/* Options that say what isolines mean, and what they are for: maps of any format, or
+ * one format. */
+static const struct { const char *option, *what, *format; bool any_map; } meanings[] = {
+    { "height", "maps", NULL, true },
+    { "depth", "maps", NULL, true },
+    { "z-unit", "maps", NULL, true },
+    { "project", "maps", NULL, true },
+    { "high", "maps", NULL, true },
+    { "layer", "DXF drawings", "dxf", false },
+    { "join", "isolines", "loft", true },
+};
+
+static il_status check_meanings(const pipeline *p, il_error *err)
+{
+    const il_reader *r = p->reader;
+    if (p->options->ras && !r->is_patient)
+        return il_fail(err, IL_E_USAGE, 0, "is %s; --ras is for DICOM structure sets, whose coordinates are LPS", r->name);
+    for (size_t k = 0; k < sizeof meanings / sizeof *meanings; k++) {
+        bool fits = (meanings[k].any_map && r->is_map) || (meanings[k].format && strcmp(meanings[k].format, r->name) == 0);
+        if (il_options_given(p->options, meanings[k].option) && !fits)
+            return il_fail(err, IL_E_USAGE, 0, "is %s; --%s is for %s", r->name, meanings[k].option, meanings[k].what);
+    }
+    return IL_OK;
+}
+
 /* Is it one for what is to be done? */
 static il_status check_reader(const pipeline *p, il_error *err)
 {
-    if (p->options->ras && !p->reader->is_patient) {
-        il_fail(err, IL_E_USAGE, 0, "is %s; --ras is for DICOM structure sets, whose coordinates are LPS", p->reader->name);
+    il_status st = check_meanings(p, err);
+    if (st == IL_OK && p->reader->is_map && needs_surface(p->options, p->plan))
+        st = il_fail(err, IL_E_INPUT, 0, "is %s, and so " IL_TERRAIN_REFUSED, p->reader->name);
+    if (st == IL_OK && p->plan->native_only && p->reader != &il_reader_loft)
+        st = il_fail(err, IL_E_INPUT, 0, "is %s; '%s' takes the native format, which 'isoloft read' makes of it",
+                     p->reader->name, il_verb_name(p->options->verb));
+    if (st != IL_OK)
         il_error_set_file(err, il_source_name(p->source[0]));
-        return IL_E_USAGE;
-    }
-    if (p->plan->native_only && p->reader != &il_reader_loft) {
-        il_fail(err, IL_E_INPUT, 0, "is %s; '%s' takes the native format, which 'isoloft read' makes of it",
-                p->reader->name, il_verb_name(p->options->verb));
-        il_error_set_file(err, il_source_name(p->source[0]));
-        return IL_E_INPUT;
-    }
-    return IL_OK;
+    return st;
 }
 
 /* ---- output -------------------------------------------------------------- */
@@ -340,6 +368,7 @@ il_status il_pipeline_run(il_result *result, const il_options *o, const il_plan 
                    .nowhere = il_nowhere_contours(), .nowhere_mesh = il_nowhere_meshes() };
     bool folder = o->output && il_destination_is_folder(o->output);
     il_account_options a = { .keep_going = plan->survey || folder, .strict = o->strict, .voice = voice,
+                             .no_terrain = needs_surface(o, plan),
                              .input = o->n_inputs == 0 ? "-" : o->n_inputs == 1 ? o->input[0] : NULL };
     il_account_init(&result->account, &a);
     il_status st = run(&p, err);

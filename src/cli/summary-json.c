@@ -2,6 +2,7 @@
 #include "config.h"
 #include "cli/oddities.h"
 #include "cli/summary.h"
+#include "cli/summary-terrain.h"
 
 #include <sys/resource.h>
 
@@ -38,13 +39,14 @@ static void put_skipped(il_json *j, const il_report *r)
     il_json_close(j, ']');
 }
 
-static void put_report(il_json *j, const il_report *r)
+/* Repairs that only terrain needs are told of terrain only. */
+static void put_report(il_json *j, const il_report *r, bool is_terrain)
 {
     put_skipped(j, r);
     put_count(j, "skipped_total", r->n_skipped);
     il_json_key(j, "repairs");
     il_json_open(j, '{');
-    for (int k = 0; k < IL_N_REPAIRS; k++)
+    for (int k = 0; k < (is_terrain ? (int)IL_N_REPAIRS : (int)IL_N_REPAIRS_OF_SOLIDS); k++)
         put_count(j, il_repair_key((il_repair)k), r->repair[k]);
     il_json_close(j, '}');
     put_number(j, "largest_move", r->largest_move);
@@ -153,9 +155,10 @@ static void put_oddities(il_json *j, const il_stack_account *s)
 /* Null where the slices do not tell. */
 static void put_sums(il_json *j, const il_stack_account *s)
 {
-    put_number(j, "slice_sum", il_stack_account_slice_sum(s));
+    il_json_key(j, "slice_sum");
+    s->is_terrain ? il_json_null(j) : il_json_number(j, il_stack_account_slice_sum(s));
     il_json_key(j, "trapezoid_sum");
-    s->sections.n > 1 || s->points == 0 ? il_json_number(j, il_sections_trapezoids(&s->sections)) : il_json_null(j);
+    (s->sections.n > 1 || s->points == 0) && !s->is_terrain ? il_json_number(j, il_sections_trapezoids(&s->sections)) : il_json_null(j);
     put_number(j, "seconds", s->seconds);
 }
 
@@ -167,10 +170,12 @@ static void put_stack(il_json *j, const il_stack_account *s)
     put_count(j, "rings", s->rings);
     put_count(j, "points", s->points);
     put_heights(j, s);
-    put_report(j, &s->report);
+    put_report(j, &s->report, s->is_terrain);
     put_oddities(j, s);
     put_mesh(j, s);
     put_sums(j, s);
+    if (s->is_terrain)
+        il_summary_terrain_json(s, j);
     il_json_key(j, "file");
     il_json_string(j, s->file);
     il_json_key(j, "status");

@@ -3,6 +3,7 @@
 #include "cli/summary.h"
 #include "base/number.h"
 #include "base/text.h"
+#include "cli/summary-terrain.h"
 #include "cli/table.h"
 
 #include <math.h>
@@ -184,7 +185,7 @@ static void overlap_row(il_output *out, const il_account *a)
     size_t n = a->n < STACKS_COMPARED ? a->n : STACKS_COMPARED, pairs = 0;
     for (size_t i = 0; i < n; i++)
         for (size_t k = i + 1; k < n; k++)
-            pairs += boxes_overlap(a->stack[i].box, a->stack[k].box);
+            pairs += !a->stack[i].is_terrain && !a->stack[k].is_terrain && boxes_overlap(a->stack[i].box, a->stack[k].box);
     if (pairs == 0)
         return;
     il_table_heading(out, "%zu pair%s of stacks may overlap: their boxes do, and each surface is certified by itself",
@@ -198,12 +199,14 @@ static void stack_rows(il_output *out, const il_account *a, bool surface)
         char label[160];
         il_table_heading(out, "%s", stack_label(s, k, label, sizeof label));
         head_rows(out, s);
-        contour_rows(out, s);
+        s->is_terrain ? il_summary_terrain_rows(s, out) : contour_rows(out, s);
         report_rows(out, &s->report);
         if (!surface)
             continue;
-        mesh_rows(out, s);
-        sum_rows(out, s);
+        if (!s->is_terrain) {
+            mesh_rows(out, s);
+            sum_rows(out, s);
+        }
         il_table_row(out, "seconds", "%.3f", s->seconds);
     }
 }
@@ -274,7 +277,8 @@ static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
 {
     const il_mesh_facts *f = &s->facts;
     const char *unit = il_unit_name(s->unit);
-    il_message_detail(v, "%s: %zu slices, %zu rings, %zu points", label, s->slices, s->rings, s->points);
+    il_message_detail(v, s->is_terrain ? "%s: %zu levels, %zu lines, %zu points" : "%s: %zu slices, %zu rings, %zu points",
+                      label, s->slices, s->rings, s->points);
     if (s->has_mesh) {
         il_message_detail(v, "%s: %zu vertices, %zu triangles, certified; %ld component%s, genus %ld", label,
                           f->vertices, f->triangles, f->components, f->components == 1 ? "" : "s", f->genus);

@@ -248,7 +248,8 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     if (st == IL_OK)
         st = il_stack_head_copy(&l->head, head, err);
     if (st == IL_OK && head->kind == IL_KIND_TERRAIN)
-        st = il_fail(err, IL_E_INPUT, head->line, "stack \"%.60s\": this version makes no surface of terrain", il_stack_head_name(head));
+        st = il_fail(err, IL_E_INPUT, head->line, "stack '%.80s' is terrain, of which this version makes no surface yet",
+                     il_stack_head_name(head));
     if (st == IL_OK)
         st = l->next->begin(l->next, head, err);
     l->open = st == IL_OK;

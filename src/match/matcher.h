@@ -29,7 +29,7 @@ il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il
 /* A sink that adds the pair record where the stream brings none, nor a gap, and passes
  * all on to NEXT (borrowed) on the caller's thread, a few slices late: see
  * stage.c.  It takes the slices and records it is given.  A pair that stands
- * anywhere but right after its upper slice is IL_E_INPUT.  After a failure
+ * anywhere but right after its upper slice is IL_E_INPUT.  Terrain passes as it is.  After a failure
  * nothing is held and nothing runs; the caller may go on with stack_begin. */
 il_status il_matcher_new(il_sink **out, const il_match_options *o, il_sink *next, il_error *err);
 void il_matcher_free(il_sink *s); /* null is fine */

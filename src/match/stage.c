@@ -16,13 +16,14 @@
 #include "match/parade.h"
 
 /* due: the pair of the last two slices is not known yet.  parade: not started
- * when nothing is to be matched (matcher none); slices pass at once then. */
+ * when nothing is to be matched (matcher none); slices pass at once then.
+ * is_terrain: of this stack, nothing is matched, and all passes as it is. */
 typedef struct stage {
     il_sink sink;
     il_sink *next;
     bool matches;
     size_t n_slices;          /* of this stack so far */
-    bool due;
+    bool due, is_terrain;
     il_parade parade;
 } stage;
 
@@ -112,12 +113,15 @@ static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_err
 {
     stage *s = (stage *)self;
     forget(s);
+    s->is_terrain = head->kind == IL_KIND_TERRAIN;
     return s->next->stack_begin(s->next, head, err);
 }
 
 static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)
 {
     stage *s = (stage *)self;
+    if (s->is_terrain)
+        return s->next->slice(s->next, slice, err);
     il_status st = settle(s, NULL, err);
     if (st == IL_OK)
         st = s->matches ? hold(s, slice, err) : s->next->slice(s->next, slice, err);
@@ -129,6 +133,8 @@ static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)
 static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
 {
     stage *s = (stage *)self;
+    if (s->is_terrain)
+        return s->next->pair(s->next, pair, err);
     if (s->due)
         return forget_failed(s, settle(s, pair, err));
     il_status st = pass_until(s, 0, err);

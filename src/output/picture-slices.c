@@ -28,14 +28,15 @@ static double widest_caption(const il_figure *f)
     return most;
 }
 
-/* "12" and "z 24.5" under the drawing; "empty" in it where there is nothing. */
+/* "12" and "z 24.5" under the drawing; "empty" in it where there is nothing.  Isolines
+ * bound nothing yet. */
 static void draw_slice(il_svg_page *page, const il_figure *f, size_t k, const il_panel *at, const il_box *window,
                        double scale)
 {
     const il_slice *s = &f->level[k].slice;
     il_svg_view v = il_view_centred(at, window, scale);
     il_svg_rectangle(page, at->x, at->y, at->width, at->height, "fill=\"none\" stroke=\"#e4e4e4\" stroke-width=\".75\"");
-    il_picture_slice(page, &v, s,
+    il_picture_slice(page, &v, s, f->head.kind == IL_KIND_TERRAIN ? "fill=\"none\"" :
         "fill=\"" IL_LOWER_PALE "\" fill-rule=\"evenodd\"", " stroke=\"" IL_LOWER_COLOR "\" stroke-width=\".8\"");
     if (s->n == 0)
         il_svg_text(page, at->x + at->width / 2, at->y + at->height / 2 + 4,

@@ -22,6 +22,8 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     j->unit = head->unit;
     j->changed = j->before_changed = false;
     j->largest = 0;
+    if (!j->is_terrain && j->options.distance > 0)
+        il_report_note(j->report, "--join is for terrain, which this is not");
     return j->next->stack_begin(j->next, head, err);
 }
 

@@ -85,6 +85,7 @@ il_status il_reader_detect(il_source *source, const il_reader **out, il_error *e
 extern const il_reader il_reader_loft, il_reader_svg, il_reader_dcmdump, il_reader_dicom_json,
     il_reader_dicom_xml;
 extern const il_reader il_reader_geojson, il_reader_geojsonseq;
+extern const il_reader il_reader_bln, il_reader_csv, il_reader_gmt;
 extern const il_reader il_reader_gpx, il_reader_kml;
 
 #endif

@@ -208,18 +208,18 @@ static il_status skip_section(il_dxf *d, il_error *err)
 
 static il_status read_section(il_dxf *d, il_error *err)
 {
-    static const struct { const char *name; il_status (*read)(il_dxf *, il_error *); } sections[] = {
+    static const struct { const char *name; il_status (*run)(il_dxf *, il_error *); } sections[] = {
         { "HEADER", read_header }, { "TABLES", read_tables }, { "BLOCKS", read_blocks }, { "ENTITIES", read_entities } };
-    il_status (*read)(il_dxf *, il_error *) = skip_section;
+    il_status (*run)(il_dxf *, il_error *) = skip_section;
     long line = d->scan.line;
     il_status st = il_dxf_next(&d->scan, err);
     if (st == IL_OK && d->scan.code != 2)
         st = il_fail(err, IL_E_INPUT, d->scan.line, "the SECTION of line %ld has no name", line);
     for (size_t k = 0; k < sizeof sections / sizeof *sections; k++)
         if (st == IL_OK && il_dxf_is(&d->scan, 2, sections[k].name))
-            read = sections[k].read;
+            run = sections[k].run;
     if (st == IL_OK)
-        st = read(d, err);
+        st = run(d, err);
     if (st == IL_OK && !il_dxf_is(&d->scan, 0, "ENDSEC"))
         st = il_fail(err, IL_E_INPUT, d->scan.line, "the SECTION of line %ld has no ENDSEC", line);
     return st;

@@ -13,6 +13,7 @@ keyhole
 kml
 loft
 mesh
+shp
 svg
 "
 

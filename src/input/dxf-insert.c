@@ -5,27 +5,38 @@
 /* A drawing of a few bytes could ask for more than any machine has. */
 enum { DEEPEST = 64, INSERTED_MOST = 10 * 1000 * 1000 };
 
-/* PLACE of what stands at column I and row J of the array of E, whose block is B.
- * From the inside out: the block's base, scale, rotation, point. */
-static il_dxf_place place_at(const il_dxf *d, const il_dxf_entity *e, const il_dxf_block *b, const il_dxf_place *place,
-                             unsigned long i, unsigned long j)
+/* What is the same for all of an array: points of a block are put on its base and
+ * scaled by INNER, moved to their column and row, and put in place by OUTER. */
+typedef struct array {
+    il_affine inner, outer;
+    double dx, dy, z_scale, z_shift;
+    unsigned long columns, rows;
+} array;
+
+static il_status find_array(const il_dxf *d, const il_dxf_entity *e, const il_dxf_block *b, const il_dxf_place *place,
+                            array *a, il_error *err)
 {
     double s, c, z_scale = il_dxf_value(d, e, 43, 1);
     il_sincos_deg(il_dxf_value(d, e, 50, 0), &s, &c);
     const il_affine base = { 1, 0, 0, 1, -b->x, -b->y };
-    const il_affine scale = { il_dxf_value(d, e, 41, 1), 0, 0, il_dxf_value(d, e, 42, 1),
-                              (double)i * il_dxf_value(d, e, 44, 0), (double)j * il_dxf_value(d, e, 45, 0) };
+    const il_affine scale = { il_dxf_value(d, e, 41, 1), 0, 0, il_dxf_value(d, e, 42, 1), 0, 0 };
     const il_affine turn = { c, s, -s, c, il_dxf_value(d, e, 10, 0), il_dxf_value(d, e, 20, 0) };
-    il_affine all = il_affine_multiply(&scale, &base);
-    all = il_affine_multiply(&turn, &all);
-    all = il_affine_multiply(&place->xy, &all);
-    double z_shift = il_dxf_value(d, e, 30, 0) - z_scale * b->z;
-    return (il_dxf_place){ all, place->z_scale * z_scale, place->z_scale * z_shift + place->z_shift };
+    a->inner = il_affine_multiply(&scale, &base);
+    a->outer = il_affine_multiply(&place->xy, &turn);
+    a->dx = il_dxf_value(d, e, 44, 0);
+    a->dy = il_dxf_value(d, e, 45, 0);
+    a->z_scale = place->z_scale * z_scale;
+    a->z_shift = place->z_scale * (il_dxf_value(d, e, 30, 0) - z_scale * b->z) + place->z_shift;
+    il_status st = il_dxf_whole(d, e, 70, &a->columns, err);
+    return st == IL_OK ? il_dxf_whole(d, e, 71, &a->rows, err) : st;
 }
 
-static il_status fail_many(const il_dxf_entity *e, il_error *err)
+static il_dxf_place place_at(const array *a, unsigned long column, unsigned long row)
 {
-    return il_fail(err, IL_E_INPUT, e->line, "inserted blocks draw more than %d entities", INSERTED_MOST);
+    il_affine inner = a->inner;
+    inner.e += (double)column * a->dx;
+    inner.f += (double)row * a->dy;
+    return (il_dxf_place){ il_affine_multiply(&a->outer, &inner), a->z_scale, a->z_shift };
 }
 
 static il_status draw_block(il_dxf *d, const il_dxf_entity *e, const il_dxf_block *b, const il_dxf_place *place, il_error *err)
@@ -35,28 +46,24 @@ static il_status draw_block(il_dxf *d, const il_dxf_entity *e, const il_dxf_bloc
         il_dxf_entity inner = d->entity[b->begin + k];
         if (inner.layer == IL_DXF_LAYER_0)
             inner.layer = e->layer;
-        if (d->n_inserted++ >= INSERTED_MOST)
-            return fail_many(e, err);
+        if (d->n_inserted >= INSERTED_MOST || d->n_inserted >= d->options->max_points)
+            return il_fail(err, IL_E_INPUT, e->line, "inserted blocks draw more than %zu entities", d->n_inserted);
+        d->n_inserted++;
         st = il_dxf_draw(d, &inner, place, err);
     }
     return st;
 }
 
-/* Rows and columns of none are one. */
-static il_status draw_array(il_dxf *d, const il_dxf_entity *e, il_dxf_block *b, const il_dxf_place *place, il_error *err)
+/* No rows or columns are one. */
+static il_status draw_array(il_dxf *d, const il_dxf_entity *e, const il_dxf_block *b, const il_dxf_place *place, il_error *err)
 {
-    unsigned long columns, rows;
-    il_status st = il_dxf_whole(d, e, 70, &columns, err);
-    if (st == IL_OK)
-        st = il_dxf_whole(d, e, 71, &rows, err);
-    if (st != IL_OK)
+    array a;
+    il_status st = find_array(d, e, b, place, &a, err);
+    if (st != IL_OK || b->n == 0)
         return st;
-    columns = columns > 0 ? columns : 1;
-    rows = rows > 0 ? rows : 1;
+    unsigned long columns = a.columns > 0 ? a.columns : 1, rows = a.rows > 0 ? a.rows : 1;
     for (unsigned long k = 0; k / columns < rows && st == IL_OK; k++) {
-        il_dxf_place inner = place_at(d, e, b, place, k % columns, k / columns);
-        if (d->n_inserted++ >= INSERTED_MOST)
-            return fail_many(e, err);
+        il_dxf_place inner = place_at(&a, k % columns, k / columns);
         st = draw_block(d, e, b, &inner, err);
     }
     return st;

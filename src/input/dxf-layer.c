@@ -64,7 +64,8 @@ static il_status add_layer(il_dxf_layers *l, const char *s, size_t n, il_error *
 il_status il_dxf_layer_find(il_dxf_layers *l, const char *s, size_t n, long line, uint32_t *index, il_error *err)
 {
     if (!il_dictionary_put(&l->words, s, n, index))
-        return *index == IL_DICTIONARY_MOST ? il_fail(err, IL_E_INPUT, line, "more than %d layers", IL_DICTIONARY_MOST) : il_fail_nomem(err);
+        return *index == IL_DICTIONARY_MOST ? il_fail(err, IL_E_INPUT, line, "more than %d layers", IL_DICTIONARY_MOST)
+                                            : il_fail_nomem(err);
     if (*index < l->n)
         return IL_OK;
     il_status st = add_layer(l, s, n, err);

@@ -20,7 +20,8 @@ static const unsigned char *find_mark(const unsigned char *p, size_t n)
     return p + n;
 }
 
-/* Each file has a block of its own, so that reading beyond it is seen. */
+/* Each file has a block of its own, so that reading beyond it is seen; an empty one
+ * is not there. */
 static il_status parse(il_source *source, il_map_set *set, const il_read_options *options, il_error *err)
 {
     il_shp_files f = { .shp = { NULL, 0, "a.shp" } };
@@ -37,7 +38,7 @@ static il_status parse(il_source *source, il_map_set *set, const il_read_options
         copy[k] = il_alloc(file[k]->n, 1);
         must(copy[k] != NULL, "no memory");
         memcpy(copy[k], p, file[k]->n);
-        file[k]->data = copy[k];
+        file[k]->data = k == 0 || file[k]->n > 0 ? copy[k] : NULL;
         p = mark < end ? mark + LENGTH : NULL;
     }
     if (st == IL_OK)

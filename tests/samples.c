@@ -6,13 +6,16 @@
 #include "region/keyhole.h"
 
 #include <dirent.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* What a test case is called with. */
 typedef struct sample {
     const samples *kind;
+    const char *folder;         /* "/valid" or "/invalid" */
     char name[256], title[512];
 } sample;
 
@@ -97,9 +100,27 @@ static il_status on_end(il_sink *self, il_error *err)
     return next->end(next, err);
 }
 
+/* Go to the sample's folder, where files that belong to it stand beside it under
+ * its name; the way back is in *HERE. */
+static void go_to(const sample *s, int *here)
+{
+    char path[1024];
+    snprintf(path, sizeof path, "%s/formats/%s%s", source_tree(), s->kind->folder, s->folder);
+    *here = open(".", O_RDONLY);
+    assert_true(*here >= 0);
+    assert_int_equal(chdir(path), 0);
+}
+
+static void go_back(int here)
+{
+    assert_int_equal(fchdir(here), 0);
+    close(here);
+}
+
 /* What `isoloft read` prints, in memory; null after a failure. */
 static il_output *read_sample(const sample *s, const char *text, size_t n, il_error *err)
 {
+    int here;
     const il_clean_options clean = { .keyhole = s->kind->reader->is_patient ? IL_KEYHOLE_MM : 0, .keyhole_is_mm = true };
     const il_join_options join = { 0 };
     const il_read_options defaults = IL_READ_OPTIONS_INIT;
@@ -107,6 +128,7 @@ static il_output *read_sample(const sample *s, const char *text, size_t n, il_er
     il_source *source = NULL;
     il_output *out = NULL;
     il_sink *writer = NULL, *joiner = NULL, *cleaner = NULL;
+    go_to(s, &here);
     il_status st = il_source_from_memory(&source, text, n, s->name, err);
     if (st == IL_OK)
         st = il_output_to_memory(&out, err);
@@ -123,6 +145,7 @@ static il_output *read_sample(const sample *s, const char *text, size_t n, il_er
     il_joiner_free(joiner);
     il_writer_loft.contours_free(writer);
     il_source_close(source);
+    go_back(here);
     if (st == IL_OK)
         return out;
     il_output_discard(out);
@@ -265,6 +288,7 @@ static void add_samples(const samples *kind, const char *sub, const char *prefix
         if (!s || n_cases >= MOST_CASES)
             abort();
         s->kind = kind;
+        s->folder = sub;
         snprintf(s->name, sizeof s->name, "%.255s", entry[i]->d_name);
         snprintf(s->title, sizeof s->title, "%s%s", prefix, s->name);
         if (ends_with(s->name, kind->extension))

@@ -12,7 +12,7 @@ static const double pi = 3.14159265358979323846;
 
 static il_svg_pen pen_for(il_slice *slice, double flatness)
 {
-    return (il_svg_pen){ .matrix = IL_SVG_IDENTITY, .flatness = flatness, .max_points = 100000, .slice = slice };
+    return (il_svg_pen){ .matrix = IL_AFFINE_IDENTITY, .flatness = flatness, .max_points = 100000, .slice = slice };
 }
 
 static il_status draw_with(il_svg_pen *pen, const char *data, il_error *err)
@@ -393,9 +393,9 @@ static void circles_stay_within_the_tolerance_and_keep_their_extremes(void **sta
 
 /* ---- transforms -------------------------------------------------------------------- */
 
-static il_svg_matrix transform(const char *list)
+static il_affine transform(const char *list)
 {
-    il_svg_matrix m = IL_SVG_IDENTITY;
+    il_affine m = IL_AFFINE_IDENTITY;
     il_error err = IL_ERROR_INIT;
     il_svg_text t = { "transform", list, strlen(list), 0 };
     if (il_svg_transform_parse(&t, &m, &err) != IL_OK)
@@ -430,7 +430,7 @@ static void transforms_are_the_matrices_of_the_standard(void **state)
         { "translate(1)rotate(90)scale(2 3)", { 0, 2, -3, 0, 1, 0 } },
     };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
-        il_svg_matrix m = transform(c[i].list);
+        il_affine m = transform(c[i].list);
         const double got[6] = { m.a, m.b, m.c, m.d, m.e, m.f };
         for (int k = 0; k < 6; k++)
             if (!(fabs(got[k] - c[i].m[k]) <= (c[i].m[k] == floor(c[i].m[k]) ? 0 : 1e-15)))
@@ -445,7 +445,7 @@ static void broken_transforms_are_refused(void **state)
         "matrix(1 2 3 4 5)", "matrix(1 2 3 4 5 6 7)", "translate(1 2 3)", "scale()", "skewX(1 2)", "translate(1,)",
         "translate(,1)", "spin(3)", "translate(1)x", "translate(1),,scale(2)", "none none", "scale(nan)", ")" };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
-        il_svg_matrix m = { 9, 8, 7, 6, 5, 4 };
+        il_affine m = { 9, 8, 7, 6, 5, 4 };
         il_error err = IL_ERROR_INIT;
         il_svg_text t = { "transform", c[i], strlen(c[i]), 0 };
         if (il_svg_transform_parse(&t, &m, &err) != IL_E_INPUT)
@@ -462,10 +462,10 @@ static void exact_transforms_keep_every_bit(void **state)
                                      "scale(1024)scale(.0009765625)", "scale(-1)scale(-1)", "rotate(270)rotate(90)" };
     static const double values[] = { 0.1, 1.0 / 3, 1.5, -123456.789, 9.87654321e14, 5e-324, 2.2250738585072014e-308 };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
-        il_svg_matrix m = transform(c[i]);
+        il_affine m = transform(c[i]);
         for (size_t k = 0; k < sizeof values / sizeof *values; k++) {
             double x = values[k], y = -values[k] * 0.7, wanted = y;
-            il_svg_matrix_apply(&m, &x, &y);
+            il_affine_apply(&m, &x, &y);
             assert_true(x == values[k] && y == wanted);
         }
     }
@@ -477,7 +477,7 @@ static void the_tolerance_is_of_the_stack_not_of_the_drawing(void **state)
     il_slice a = IL_SLICE_INIT, b = IL_SLICE_INIT;
     il_error err = IL_ERROR_INIT;
     il_svg_pen pa = pen_for(&a, 0.01), pb = pen_for(&b, 0.01);
-    pb.matrix = (il_svg_matrix){ 1000, 0, 0, 1000, 0, 0 };
+    pb.matrix = (il_affine){ 1000, 0, 0, 1000, 0, 0 };
     assert_int_equal(il_svg_pen_ellipse(&pa, 0, 0, 5, 5, &err), IL_OK);
     assert_int_equal(il_svg_pen_ellipse(&pb, 0, 0, 0.005, 0.005, &err), IL_OK);
     assert_int_equal(a.ring[0].n, b.ring[0].n);
@@ -491,9 +491,9 @@ static void sines_of_quarter_turns_are_exact(void **state)
     static const double expected[4][2] = { { 0, 1 }, { 1, 0 }, { 0, -1 }, { -1, 0 } };
     for (int k = -1000; k <= 1000; k++) {
         double s, c;
-        il_svg_sincos(90.0 * k, &s, &c);
+        il_sincos_deg(90.0 * k, &s, &c);
         assert_true(s == expected[(k + 1000) % 4][0] && c == expected[(k + 1000) % 4][1]);
-        il_svg_sincos(k, &s, &c);
+        il_sincos_deg(k, &s, &c);
         assert_true(fabs(s - sin(k * pi / 180)) < 1e-14 && fabs(c - cos(k * pi / 180)) < 1e-14);
     }
 }

@@ -79,6 +79,15 @@ il_status il_source_open(il_source **out, const char *path, il_error *err)
     return st;
 }
 
+il_status il_source_open_if_there(il_source **out, const char *path, il_error *err)
+{
+    struct stat st;
+    *out = NULL;
+    if (stat(path, &st) != 0 && (errno == ENOENT || errno == ENOTDIR))
+        return IL_OK;
+    return il_source_open(out, path, err);
+}
+
 il_status il_source_from_memory(il_source **out, const void *data, size_t n,
                                 const char *name, il_error *err)
 {
@@ -277,6 +286,24 @@ il_status il_source_read(il_source *s, void *buf, size_t n, size_t *got, il_erro
         return IL_OK;
     }
     return read_decoded(s, buf, n, got) == IL_OK ? IL_OK : tell_failure(s, err);
+}
+
+il_status il_source_load(il_source *s, unsigned char **bytes, size_t *n, il_error *err)
+{
+    size_t cap = 0, got = 1;
+    il_status st = IL_OK;
+    *bytes = NULL;
+    *n = 0;
+    while (st == IL_OK && got > 0) {
+        st = il_grow(bytes, &cap, *n + BLOCK, 1) ? il_source_read(s, *bytes + *n, cap - *n, &got, err) : il_fail_nomem(err);
+        *n += st == IL_OK ? got : 0;
+    }
+    if (st == IL_OK)
+        return IL_OK;
+    il_free(*bytes);
+    *bytes = NULL;
+    *n = 0;
+    return st;
 }
 
 il_status il_source_peek(il_source *s, size_t n, const unsigned char **data, size_t *got, il_error *err)

@@ -18,6 +18,9 @@ typedef struct il_source il_source;
  * "-".  A folder, a missing file, one that may not be read: IL_E_IO. */
 il_status il_source_open(il_source **out, const char *path, il_error *err);
 
+/* The same, but *OUT is null and nothing has failed when there is no such file. */
+il_status il_source_open_if_there(il_source **out, const char *path, il_error *err);
+
 /* Read from N bytes at DATA, which must outlive the source.  For tests,
  * fuzzers and embedding; NAME is shown in errors and copied. */
 il_status il_source_from_memory(il_source **out, const void *data, size_t n,
@@ -30,6 +33,10 @@ const char *il_source_name(const il_source *s);
  * for although more will come.  A damaged gzip stream: IL_E_INPUT, once all that
  * could be decoded before the damage was given.  A failure stays. */
 il_status il_source_read(il_source *s, void *buf, size_t n, size_t *got, il_error *err);
+
+/* All the bytes that are left, to be freed by il_free, in *BYTES, and how many in *N;
+ * null after a failure. */
+il_status il_source_load(il_source *s, unsigned char **bytes, size_t *n, il_error *err);
 
 /* The next bytes without taking them, at least N unless the input ends before
  * (N at most 65536): for telling formats apart.  The pointer is good until the

@@ -54,22 +54,6 @@ static il_status ignore_end(il_sink *self, il_error *err)
 
 /* ---- the examination ----------------------------------------------------- */
 
-/* All bytes of SOURCE, to il_free: they are read, and then compared. */
-static il_status read_all(il_source *source, unsigned char **bytes, size_t *n, il_error *err)
-{
-    size_t cap = 0, got = 1;
-    il_status st = IL_OK;
-    *bytes = NULL;
-    *n = 0;
-    while (st == IL_OK && got > 0) {
-        if (!il_grow(bytes, &cap, *n + 65536, 1))
-            return il_fail_nomem(err);
-        st = il_source_read(source, *bytes + *n, cap - *n, &got, err);
-        *n += st == IL_OK ? got : 0;
-    }
-    return st;
-}
-
 /* The line of A in which it first differs from B; 0 when they are equal. */
 static long first_difference(const unsigned char *a, size_t n_a, const unsigned char *b, size_t n_b)
 {
@@ -163,7 +147,7 @@ il_status il_check_native(il_source *source, const il_options *o, il_voice *v, i
     il_source *memory = NULL;
     il_output *canonical = NULL;
     il_account_init(&f.result.account, &a);
-    il_status st = read_all(source, &bytes, &n, err);
+    il_status st = il_source_load(source, &bytes, &n, err);
     if (st == IL_OK)
         st = il_source_from_memory(&memory, bytes, n, f.name, err);
     if (st == IL_OK)

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "input/reader.h"
 #include "base/text.h"
+#include "input/shp.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -12,6 +13,7 @@ const il_reader *const il_readers[] = {
     &il_reader_geojsonseq, &il_reader_geojson,
     &il_reader_bln, &il_reader_gmt, &il_reader_csv, /* tables of numbers, the strictest first */
     NULL };
+    &il_reader_dxf, &il_reader_shp, NULL };
 
 const il_reader *il_reader_named(const char *name)
 {
@@ -80,7 +82,9 @@ il_status il_reader_detect(il_source *source, const il_reader **out, il_error *e
             return IL_OK;
         }
     }
-    if (n == 0)
+    if (il_shp_is_part(il_source_name(source)))
+        st = il_shp_fail_part(err);
+    else if (n == 0)
         st = il_fail(err, IL_E_INPUT, 0, "the input is empty");
     else if (is_binary_dicom(head, n))
         st = fail_binary_dicom(il_source_name(source), err);

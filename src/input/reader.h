@@ -87,5 +87,6 @@ extern const il_reader il_reader_loft, il_reader_svg, il_reader_dcmdump, il_read
 extern const il_reader il_reader_geojson, il_reader_geojsonseq;
 extern const il_reader il_reader_bln, il_reader_csv, il_reader_gmt;
 extern const il_reader il_reader_gpx, il_reader_kml;
+extern const il_reader il_reader_dxf, il_reader_shp;
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef IL_INPUT_SVG_ARC_H
 #define IL_INPUT_SVG_ARC_H
 
+#include "input/curve.h"
 #include "input/svg-pen.h"
 
 /* User to stack coordinates; IL_E_INPUT when they are beyond the limit. */
@@ -9,8 +10,5 @@ il_status il_svg_pen_place(const il_svg_pen *p, double *x, double *y, il_error *
 
 /* Draw on to (X, Y), stack coordinates. */
 il_status il_svg_pen_put(il_svg_pen *p, double x, double y, il_error *err);
-
-/* The tolerance for a curve of a size. */
-double il_svg_tolerance(double flatness, double size);
 
 #endif

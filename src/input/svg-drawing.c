@@ -123,7 +123,7 @@ static void count_lost_properties(il_svg_drawing *d, const il_svg_element *e)
 
 static il_svg_frame outermost(void)
 {
-    return (il_svg_frame){ .matrix = IL_SVG_IDENTITY, .given = IL_SVG_LEVEL_INIT, .named = IL_SVG_LEVEL_INIT };
+    return (il_svg_frame){ .matrix = IL_AFFINE_IDENTITY, .given = IL_SVG_LEVEL_INIT, .named = IL_SVG_LEVEL_INIT };
 }
 
 /* An element that counts as a slice of its own when none has a height: a child
@@ -154,7 +154,7 @@ static il_status read_level(il_svg_drawing *d, const il_svg_element *e, role r, 
  * Slic3r's files are in mm already, and --unit says what the numbers are. */
 static il_status read_place(il_svg_drawing *d, const il_svg_element *e, role r, il_svg_frame *f, il_error *err)
 {
-    il_svg_matrix m = IL_SVG_IDENTITY;
+    il_affine m = IL_AFFINE_IDENTITY;
     il_status st = IL_OK;
     bool is_physical = false;
     if (r == ROLE_SVG && d->n_frames == 0)
@@ -162,18 +162,18 @@ static il_status read_place(il_svg_drawing *d, const il_svg_element *e, role r, 
     else if (r == ROLE_SVG)
         st = il_svg_view_nested(e, f->viewport, &m, &f->viewport, err);
     if (is_physical && (d->is_slic3r || d->options->has_unit))
-        m = (il_svg_matrix)IL_SVG_IDENTITY;
+        m = (il_affine)IL_AFFINE_IDENTITY;
     d->is_physical = d->is_physical || is_physical;
     if (st == IL_OK) {
-        il_svg_matrix outer = f->matrix, inner = IL_SVG_IDENTITY;
+        il_affine outer = f->matrix, inner = IL_AFFINE_IDENTITY;
         il_svg_text t;
         if (il_svg_attr(e, IL_SVG_NS_NONE, "transform", &t)) {
             d->at = t;
             st = il_svg_transform_parse(&d->at, &inner, err);
         }
         /* on an inner svg the transform stands outside its viewport */
-        f->matrix = r == ROLE_SVG ? il_svg_matrix_multiply(&inner, &m) : inner;
-        f->matrix = il_svg_matrix_multiply(&outer, &f->matrix);
+        f->matrix = r == ROLE_SVG ? il_affine_multiply(&inner, &m) : inner;
+        f->matrix = il_affine_multiply(&outer, &f->matrix);
     }
     return st;
 }

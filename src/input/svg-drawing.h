@@ -15,7 +15,7 @@
  * name.  own_level: it has one of them itself.  slot: of which slice by document
  * order.  holds: something was drawn or left out inside, so it is not empty. */
 typedef struct il_svg_frame {
-    il_svg_matrix matrix;
+    il_affine matrix;
     il_svg_viewport viewport;
     il_svg_level given, named;
     size_t slot;

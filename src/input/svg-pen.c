@@ -15,7 +15,7 @@ static il_status check(double x, double y, il_error *err)
 
 il_status il_svg_pen_place(const il_svg_pen *p, double *x, double *y, il_error *err)
 {
-    il_svg_matrix_apply(&p->matrix, x, y);
+    il_affine_apply(&p->matrix, x, y);
     return check(*x, *y, err);
 }
 
@@ -87,11 +87,6 @@ il_status il_svg_pen_line(il_svg_pen *p, double x, double y, il_error *err)
 
 /* ---- Bezier curves --------------------------------------------------------- */
 
-double il_svg_tolerance(double flatness, double size)
-{
-    return fmax(flatness, IL_SVG_RELATIVE_FLATNESS * size);
-}
-
 static double box_diagonal(const double *q, int n)
 {
     double lo_x = q[0], hi_x = q[0], lo_y = q[1], hi_y = q[1];
@@ -121,7 +116,7 @@ static double bend(const double *q, int n)
 static int bezier_steps(const il_svg_pen *p, const double *q, int degree)
 {
     double size = box_diagonal(q, degree + 1);
-    double n = ceil(sqrt(degree * (degree - 1) / 8.0 * bend(q, degree + 1) / il_svg_tolerance(p->flatness, size)));
+    double n = ceil(sqrt(degree * (degree - 1) / 8.0 * bend(q, degree + 1) / il_curve_tolerance(p->flatness, size)));
     return n > 1 ? (int)fmin(n, 4096) : 1;
 }
 

@@ -12,16 +12,12 @@
 /* Coordinates at or beyond this are refused. */
 #define IL_SVG_COORDINATE_LIMIT 1e15
 
-/* A curve is also allowed this much of its own size, so that a few bytes of a
- * hostile file cannot ask for millions of vertices. */
-#define IL_SVG_RELATIVE_FLATNESS 1e-6
-
 /* matrix: user to stack coordinates.  flatness: farthest a curve may lie from
  * its polyline, > 0.  n_points counts what was drawn over all subpaths and may
  * not pass max_points.  The rest is the subpath being drawn: its start and the
  * pen's place (stack coordinates), and its ring in SLICE once it has an edge. */
 typedef struct il_svg_pen {
-    il_svg_matrix matrix;
+    il_affine matrix;
     double flatness;
     size_t max_points, n_points;
     long line;

@@ -1,91 +1,61 @@
 #include "config.h"
 #include "input/svg-transform.h"
 
-#include <math.h>
 #include <string.h>
-
-il_svg_matrix il_svg_matrix_multiply(const il_svg_matrix *o, const il_svg_matrix *i)
-{
-    return (il_svg_matrix){ o->a * i->a + o->c * i->b,        o->b * i->a + o->d * i->b,
-                            o->a * i->c + o->c * i->d,        o->b * i->c + o->d * i->d,
-                            o->a * i->e + o->c * i->f + o->e, o->b * i->e + o->d * i->f + o->f };
-}
-
-void il_svg_matrix_apply(const il_svg_matrix *m, double *x, double *y)
-{
-    double px = *x, py = *y;
-    *x = m->a * px + m->c * py + m->e;
-    *y = m->b * px + m->d * py + m->f;
-}
-
-/* The angle is brought into [-45, 45] first, which is exact in degrees; so
- * quarter turns keep coordinates bit for bit. */
-void il_svg_sincos(double deg, double *sine, double *cosine)
-{
-    static const double degree = 3.14159265358979323846 / 180;
-    double turn = fmod(deg, 360), quarter = floor(turn / 90 + 0.5), rest = turn - 90 * quarter;
-    double s = sin(rest * degree), c = fabs(rest) == 45 ? fabs(s) : cos(rest * degree);
-    switch (((int)quarter + 8) % 4) {
-    case 0:  *sine = s,  *cosine = c;  break;
-    case 1:  *sine = c,  *cosine = -s; break;
-    case 2:  *sine = -s, *cosine = -c; break;
-    default: *sine = -c, *cosine = s;  break;
-    }
-}
 
 /* ---- the functions of the list, each with its arguments V[0..N) ------------- */
 
 enum { MAX_ARGUMENTS = 6 };
 
-static il_svg_matrix make_matrix(const double *v, int n)
+static il_affine make_matrix(const double *v, int n)
 {
     (void)n;
-    return (il_svg_matrix){ v[0], v[1], v[2], v[3], v[4], v[5] };
+    return (il_affine){ v[0], v[1], v[2], v[3], v[4], v[5] };
 }
 
-static il_svg_matrix make_translate(const double *v, int n)
+static il_affine make_translate(const double *v, int n)
 {
-    return (il_svg_matrix){ 1, 0, 0, 1, v[0], n > 1 ? v[1] : 0 };
+    return (il_affine){ 1, 0, 0, 1, v[0], n > 1 ? v[1] : 0 };
 }
 
-static il_svg_matrix make_scale(const double *v, int n)
+static il_affine make_scale(const double *v, int n)
 {
-    return (il_svg_matrix){ v[0], 0, 0, n > 1 ? v[1] : v[0], 0, 0 };
+    return (il_affine){ v[0], 0, 0, n > 1 ? v[1] : v[0], 0, 0 };
 }
 
-static il_svg_matrix make_rotate(const double *v, int n)
+static il_affine make_rotate(const double *v, int n)
 {
     double s, c;
-    il_svg_sincos(v[0], &s, &c);
-    il_svg_matrix turn = { c, s, -s, c, 0, 0 };
+    il_sincos_deg(v[0], &s, &c);
+    il_affine turn = { c, s, -s, c, 0, 0 };
     if (n == 1)
         return turn;
-    il_svg_matrix to = { 1, 0, 0, 1, v[1], v[2] }, back = { 1, 0, 0, 1, -v[1], -v[2] };
-    il_svg_matrix there = il_svg_matrix_multiply(&to, &turn);
-    return il_svg_matrix_multiply(&there, &back);
+    il_affine to = { 1, 0, 0, 1, v[1], v[2] }, back = { 1, 0, 0, 1, -v[1], -v[2] };
+    il_affine there = il_affine_multiply(&to, &turn);
+    return il_affine_multiply(&there, &back);
 }
 
-static il_svg_matrix make_skew_x(const double *v, int n)
+static il_affine make_skew_x(const double *v, int n)
 {
     (void)n;
     double s, c;
-    il_svg_sincos(v[0], &s, &c);
-    return (il_svg_matrix){ 1, 0, s / c, 1, 0, 0 };
+    il_sincos_deg(v[0], &s, &c);
+    return (il_affine){ 1, 0, s / c, 1, 0, 0 };
 }
 
-static il_svg_matrix make_skew_y(const double *v, int n)
+static il_affine make_skew_y(const double *v, int n)
 {
     (void)n;
     double s, c;
-    il_svg_sincos(v[0], &s, &c);
-    return (il_svg_matrix){ 1, s / c, 0, 1, 0, 0 };
+    il_sincos_deg(v[0], &s, &c);
+    return (il_affine){ 1, s / c, 0, 1, 0, 0 };
 }
 
 /* counts: the numbers of arguments it takes, as bits. */
 static const struct function {
     const char *name;
     unsigned counts;
-    il_svg_matrix (*make)(const double *v, int n);
+    il_affine (*make)(const double *v, int n);
 } functions[] = {
     { "matrix", 1u << 6, make_matrix },
     { "translate", 1u << 1 | 1u << 2, make_translate },
@@ -119,9 +89,9 @@ static il_status take_arguments(il_svg_text *t, double *v, int *n, il_error *err
     return st;
 }
 
-il_status il_svg_transform_parse(il_svg_text *t, il_svg_matrix *m, il_error *err)
+il_status il_svg_transform_parse(il_svg_text *t, il_affine *m, il_error *err)
 {
-    il_svg_matrix all = *m;
+    il_affine all = *m;
     if (il_svg_text_more(t) && il_svg_text_is_word(t, "none"))
         return IL_OK;
     for (bool first = true; il_svg_text_more(t); first = false) {
@@ -138,8 +108,8 @@ il_status il_svg_transform_parse(il_svg_text *t, il_svg_matrix *m, il_error *err
             return st;
         if (!(f->counts >> n & 1))
             return il_fail(err, IL_E_INPUT, 0, "%s: %s cannot take %d numbers", t->name, f->name, n);
-        il_svg_matrix one = f->make(v, n);
-        all = il_svg_matrix_multiply(&all, &one);
+        il_affine one = f->make(v, n);
+        all = il_affine_multiply(&all, &one);
     }
     *m = all;
     return IL_OK;

@@ -153,12 +153,12 @@ static il_status read_sizes(const il_svg_element *e, il_svg_length *w, il_svg_le
     return st == IL_OK ? check_size(*h, "height", err) : st;
 }
 
-il_status il_svg_view_root(const il_svg_element *e, il_svg_matrix *scale, bool *is_physical,
+il_status il_svg_view_root(const il_svg_element *e, il_affine *scale, bool *is_physical,
                            il_svg_viewport *inside, il_error *err)
 {
     view v;
     il_svg_length w = { IL_SVG_LENGTH_NONE, 0 }, h = w;
-    *scale = (il_svg_matrix)IL_SVG_IDENTITY;
+    *scale = (il_affine)IL_AFFINE_IDENTITY;
     *is_physical = false;
     *inside = (il_svg_viewport){ 0, 0 };
     il_status st = read_view(e, &v, err);
@@ -184,7 +184,7 @@ static double place(double at, double room, double drawn, double align, double o
     return at + align * (room - drawn) - origin * scale;
 }
 
-il_status il_svg_view_nested(const il_svg_element *e, il_svg_viewport outside, il_svg_matrix *m,
+il_status il_svg_view_nested(const il_svg_element *e, il_svg_viewport outside, il_affine *m,
                              il_svg_viewport *inside, il_error *err)
 {
     view v;
@@ -202,14 +202,14 @@ il_status il_svg_view_nested(const il_svg_element *e, il_svg_viewport outside, i
     double at_x = x.kind == IL_SVG_LENGTH_NONE ? 0 : user_size(x, outside.width);
     double at_y = y.kind == IL_SVG_LENGTH_NONE ? 0 : user_size(y, outside.height);
     *inside = (il_svg_viewport){ room_w, room_h };
-    *m = (il_svg_matrix){ 1, 0, 0, 1, at_x, at_y };
+    *m = (il_affine){ 1, 0, 0, 1, at_x, at_y };
     if (!v.has_box)
         return IL_OK;
     if (!(room_w > 0 && room_h > 0))
         return il_fail(err, IL_E_INPUT, 0, "an svg inside another needs width and height for its viewBox");
     double sx = room_w / v.width, sy = room_h / v.height;
     unify(&v, &sx, &sy);
-    *m = (il_svg_matrix){ sx, 0, 0, sy, place(at_x, room_w, v.width * sx, v.align_x, v.x, sx),
+    *m = (il_affine){ sx, 0, 0, sy, place(at_x, room_w, v.width * sx, v.align_x, v.x, sx),
                           place(at_y, room_h, v.height * sy, v.align_y, v.y, sy) };
     *inside = (il_svg_viewport){ v.width, v.height };
     return IL_OK;

@@ -27,12 +27,12 @@ typedef struct il_svg_viewport {
 /* The outermost svg: *SCALE takes its user units to mm when it has a viewBox
  * and a width or height in a unit of length, and *IS_PHYSICAL tells; otherwise
  * it is the identity.  The origin stays where the drawing has it. */
-il_status il_svg_view_root(const il_svg_element *e, il_svg_matrix *scale, bool *is_physical,
+il_status il_svg_view_root(const il_svg_element *e, il_affine *scale, bool *is_physical,
                            il_svg_viewport *inside, il_error *err);
 
 /* An svg inside a viewport OUTSIDE: *M gets its place and its viewBox
  * (SVG 1.1 sections 7.7 to 7.9). */
-il_status il_svg_view_nested(const il_svg_element *e, il_svg_viewport outside, il_svg_matrix *m,
+il_status il_svg_view_nested(const il_svg_element *e, il_svg_viewport outside, il_affine *m,
                              il_svg_viewport *inside, il_error *err);
 
 #endif

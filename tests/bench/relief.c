@@ -6,7 +6,8 @@
  * harmonics whose phases drift from level to level, in metres, every one a feature
  * with its height in `elev`.
  * FORM: geojson (a collection with as many decimals as a double has, as GDAL writes
- * it, the default), geojsonseq (a feature a line, 7 decimals). */
+ * it, the default), geojsonseq (a feature a line, 7 decimals), dxf (LWPOLYLINE, as GDAL
+ * writes it). */
 #include "config.h"
 
 #include <math.h>
@@ -27,6 +28,8 @@ static const struct form { const char *name, *begin, *between, *end, *feature, *
       " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.15g, %.15g ]" },
     { "geojsonseq", "", "\n", "\n", "{ \"type\": \"Feature\", \"properties\": { \"ID\": 0, \"elev\": ",
       " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.7f, %.7f ]" },
+    { "dxf", "  0\nSECTION\n  2\nENTITIES\n", "", "  0\nENDSEC\n  0\nEOF\n",
+      "  0\nLWPOLYLINE\n  8\nCONTOURS\n 70\n0\n 38\n", "\n", "", "", " 10\n%.15g\n 20\n%.15g\n" },
 };
 enum { N_FORMS = sizeof forms / sizeof *forms };
 

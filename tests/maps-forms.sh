@@ -126,7 +126,7 @@ map_as() { # FORM UNIT
     }
     form == "dxf-polyline" { printf "%s", polyline(h) }
     form == "kml" {
-        print "<Placemark><name>" NR "</name><ExtendedData><Data name=\"elev\"><value>" h "</value></Data></ExtendedData>"
+        print "<Placemark><name>line " NR "</name><ExtendedData><Data name=\"elev\"><value>" h "</value></Data></ExtendedData>"
         print "<LineString><coordinates>" points("", ",", "", " ") "</coordinates></LineString></Placemark>"
     }
     form == "kml-z" { print "<Placemark><LineString><coordinates>\n" points("", ",", "," h, "\n") "</coordinates></LineString></Placemark>" }

@@ -3,11 +3,11 @@
  *     relief [-f FORM] HILLS LEVELS POINTS
  *
  * HILLS hills side by side with LEVELS isolines of POINTS points each: circles with
- * harmonics whose phases drift from level to level, in metres, every one a feature
- * with its height in `elev`.
+ * harmonics whose phases drift from level to level, in metres, or in degrees where
+ * the form has no other, every one a feature with its height in `elev`.
  * FORM: geojson (a collection with as many decimals as a double has, as GDAL writes
- * it, the default), geojsonseq (a feature a line, 7 decimals), dxf (LWPOLYLINE, as GDAL
- * writes it). */
+ * it, the default), geojsonseq (a feature a line, 7 decimals), dxf (LWPOLYLINE), kml, gpx
+ * (lines with z), all as GDAL writes them. */
 #include "config.h"
 
 #include <math.h>
@@ -18,18 +18,29 @@
 
 enum { HARMONICS = 5, INTERVAL = 10 };
 
-static const double TURN = 6.283185307179586, APART = 5000;
+static const double TURN = 6.283185307179586, APART = 5000, DEGREES = 1e-5;
 
 /* What stands before and behind all features and between two of them, before and
- * behind the height, between two points and behind the last; and how a point is. */
-static const struct form { const char *name, *begin, *between, *end, *feature, *lines, *comma, *tail, *point; } forms[] = {
+ * behind the height, between two points and behind the last; and how a point is: x, y
+ * and height. */
+static const struct form {
+    const char *name, *begin, *between, *end, *feature, *lines, *comma, *tail, *point;
+    bool is_degrees;
+} forms[] = {
     { "geojson", "{\n\"type\": \"FeatureCollection\",\n\"name\": \"contour\",\n\"features\": [\n", ",\n", "\n]\n}\n",
       "{ \"type\": \"Feature\", \"properties\": { \"ID\": 0, \"elev\": ",
-      " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.15g, %.15g ]" },
+      " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.15g, %.15g ]", false },
     { "geojsonseq", "", "\n", "\n", "{ \"type\": \"Feature\", \"properties\": { \"ID\": 0, \"elev\": ",
-      " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.7f, %.7f ]" },
+      " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.7f, %.7f ]", false },
     { "dxf", "  0\nSECTION\n  2\nENTITIES\n", "", "  0\nENDSEC\n  0\nEOF\n",
-      "  0\nLWPOLYLINE\n  8\nCONTOURS\n 70\n0\n 38\n", "\n", "", "", " 10\n%.15g\n 20\n%.15g\n" },
+      "  0\nLWPOLYLINE\n  8\nCONTOURS\n 70\n0\n 38\n", "\n", "", "", " 10\n%.15g\n 20\n%.15g\n", false },
+    { "kml", "<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n", "\n",
+      "\n</Document></kml>\n", "<Placemark>\n<ExtendedData><SchemaData schemaUrl=\"#contour\"><SimpleData name=\"elev\">",
+      "</SimpleData></SchemaData></ExtendedData>\n<LineString><altitudeMode>absolute</altitudeMode><coordinates>", " ",
+      "</coordinates></LineString></Placemark>", "%.15g,%.15g,%d", true },
+    { "gpx", "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\" xmlns=\"http://www.topografix.com/GPX/1/1\">\n", "\n", "\n</gpx>\n",
+      "<trk>\n  <extensions>\n    <ogr:elev>", "</ogr:elev>\n  </extensions>\n  <trkseg>\n", "\n", "\n  </trkseg>\n</trk>",
+      "    <trkpt lat=\"%2$.17g\" lon=\"%1$.17g\">\n      <ele>%3$d</ele>\n    </trkpt>", true },
 };
 enum { N_FORMS = sizeof forms / sizeof *forms };
 
@@ -37,6 +48,7 @@ enum { N_FORMS = sizeof forms / sizeof *forms };
 static void put_line(const struct form *f, int hill, int level, int levels, int points)
 {
     double r = 0.45 * APART * (levels - level) / levels, x0 = 400000 + APART * hill, y0 = 5100000;
+    double scale = f->is_degrees ? DEGREES : 1;
     int last = level % 2 ? points : points - 1;
     for (int k = 0; k < points; k++) {
         double turn = TURN * k / last, bend = 1;
@@ -44,7 +56,7 @@ static void put_line(const struct form *f, int hill, int level, int levels, int 
             bend += 0.04 / h * sin(h * turn + 0.3 * hill * h + 0.02 * level * h);
         double end = k == last ? 0 : turn;
         fputs(k > 0 ? f->comma : "", stdout);
-        printf(f->point, x0 + r * bend * cos(end), y0 + r * bend * sin(end));
+        printf(f->point, scale * (x0 + r * bend * cos(end)), scale * (y0 + r * bend * sin(end)), INTERVAL * level);
     }
 }
 

@@ -10,10 +10,9 @@ const il_reader *const il_readers[] = {
     &il_reader_loft, &il_reader_dcmdump, &il_reader_dicom_json,
     &il_reader_kml, &il_reader_gpx, /* before DICOM, whose elements may stand in any others */
     &il_reader_dicom_xml, &il_reader_svg,
-    &il_reader_geojsonseq, &il_reader_geojson,
+    &il_reader_geojsonseq, &il_reader_geojson, &il_reader_shp, &il_reader_dxf,
     &il_reader_bln, &il_reader_gmt, &il_reader_csv, /* tables of numbers, the strictest first */
     NULL };
-    &il_reader_dxf, &il_reader_shp, NULL };
 
 const il_reader *il_reader_named(const char *name)
 {

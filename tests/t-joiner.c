@@ -209,7 +209,8 @@ static void what_a_line_has_twice_itself_is_kept_once(void **state)
         { "o 1 1, 0 1, 0 0, 1 0, 1 1, 0 1, 0 0, 1 0; o 1 0, 0 0, 0 1, 1 1", "o 0 0, 1 0, 1 1, 0 1",
           "duplicate_lines 1, shared_edges 4" },
         /* a loop on a stalk */
-        { "0 5, 0 0, 1 0, 2 1, 2 -1, 1 0, 0 0, 0 -5", "o 1 0, 2 1, 2 -1; 0 0, 0 -5; 0 0, 1 0; 0 5, 0 0", "shared_edges 1, knots 1, crumbs 3" },
+        { "0 5, 0 0, 1 0, 2 1, 2 -1, 1 0, 0 0, 0 -5", "o 1 0, 2 1, 2 -1; 0 0, 0 -5; 0 0, 1 0; 0 5, 0 0",
+          "shared_edges 1, knots 1, crumbs 3" },
     };
     JOINS(c);
 }

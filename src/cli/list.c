@@ -53,7 +53,8 @@ static bool add_row(il_grid *g, const il_stack_account *s, bool narrow)
     if (s->has_color)
         snprintf(color, sizeof color, "#%02x%02x%02x", s->color[0], s->color[1], s->color[2]);
     if (s->slices > 1)
-        snprintf(spacing, sizeof spacing, "%.6g %s", s->spacing.usual, il_unit_name(s->is_terrain ? il_terrain_unit_of_z(s->unit) : s->unit));
+        snprintf(spacing, sizeof spacing, "%.6g %s", s->spacing.usual,
+                 il_unit_name(s->is_terrain ? il_terrain_unit_of_z(s->unit) : s->unit));
     return il_grid_add(g, number, 0) && il_grid_add(g, s->name, narrow ? NAME_COLUMNS : 0) &&
            il_grid_add(g, type, narrow ? TYPE_COLUMNS : 0) && il_grid_add(g, color, 0) &&
            add_count(g, s->slices) && add_count(g, s->rings) && add_count(g, s->points) && il_grid_add(g, spacing, 0) &&

@@ -4,14 +4,15 @@
 #include "base/number.h"
 
 /* changed, before_changed: the last slice of this stack and the one before it are not
- * as they came, or not there any more.  largest: the widest gap bridged in it. */
+ * as they came; gone, before_gone: not there any more.  largest: the widest gap bridged
+ * in it. */
 typedef struct joiner {
     il_sink sink;
     il_sink *next;
     il_join_options options;
     il_report *report;
     il_unit unit;
-    bool is_terrain, changed, before_changed;
+    bool is_terrain, changed, before_changed, gone, before_gone;
     double largest;
 } joiner;
 
@@ -20,7 +21,7 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     joiner *j = (joiner *)self;
     j->is_terrain = head->kind == IL_KIND_TERRAIN;
     j->unit = head->unit;
-    j->changed = j->before_changed = false;
+    j->changed = j->before_changed = j->gone = j->before_gone = false;
     j->largest = 0;
     if (!j->is_terrain && j->options.distance > 0)
         il_report_note(j->report, "--join is for terrain, which this is not");
@@ -33,16 +34,17 @@ static il_status slice(il_sink *self, il_slice *s, il_error *err)
     joiner *j = (joiner *)self;
     size_t n_before = s->n;
     j->before_changed = j->changed;
+    j->before_gone = j->gone;
     il_status st = j->is_terrain ? il_slice_join(s, &j->options, j->report, &j->changed, &j->largest, err) : IL_OK;
-    if (st != IL_OK || (s->n == 0 && n_before > 0))
-        return st;
-    return j->next->slice(j->next, s, err);
+    j->gone = s->n == 0 && n_before > 0;
+    return st == IL_OK && !j->gone ? j->next->slice(j->next, s, err) : st;
 }
 
 static il_status pair(il_sink *self, il_pair *p, il_error *err)
 {
     joiner *j = (joiner *)self;
-    if (j->changed || j->before_changed)
+    bool names_others = (j->changed || j->before_changed) && il_pair_names_rings(p);
+    if (names_others || j->gone || j->before_gone)
         return il_fail(err, IL_E_INPUT, p->line,
                        "this pair speaks of lines that are joined or in another order: run isoloft read on the contours");
     return j->next->pair(j->next, p, err);

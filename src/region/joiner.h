@@ -32,7 +32,8 @@ il_status il_slice_join(il_slice *s, const il_join_options *o, il_report *report
 
 /* A sink that joins the lines of each slice of terrain and passes on to NEXT (borrowed)
  * those of which something is left; solids pass untouched.  Counts into REPORT (may be
- * null).  A pair of slices of which one was changed is IL_E_INPUT. */
+ * null).  A pair is IL_E_INPUT when it names rings of a slice that was changed, or when
+ * nothing is left of a slice. */
 il_status il_joiner_new(il_sink **out, const il_join_options *o, il_sink *next, il_report *report, il_error *err);
 void il_joiner_free(il_sink *s); /* null is fine */
 

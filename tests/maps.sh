@@ -145,11 +145,11 @@ lines_by_gdal() {
 if command -v gdal_contour >/dev/null && command -v ogr2ogr >/dev/null; then
     for unit in metres degrees; do
         contours $unit "lines" -a elev
-        as=cat
+        as="cat"
         holds "gdal_contour's lines in $unit are read" test "$(grep -c '^slice' lines.native)" -ge 8
         lines_by_gdal
         contours $unit "bands" -p -amin elev_min -amax elev_max
-        as=edges # formats have their own rules which way round polygons run
+        as="edges" # formats have their own rules which way round polygons run
         holds "gdal_contour's polygons in $unit are read" test "$(grep -c '^slice' bands.native)" -ge 8
         all_by_gdal
     done

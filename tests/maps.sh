@@ -132,6 +132,13 @@ all_by_gdal() {
 lines_by_gdal() {
     all_by_gdal
     by_gdal "lines with z in a shapefile" shp a.shp -f "ESRI Shapefile" -zfield elev -nlt LINESTRING25D -select ID
+    if is_read shp; then
+        native -f shp - <made/a.shp >got
+        same "... from standard input, without what belongs to it" want
+        gzip made/a.shp
+        native made/a.shp.gz >got
+        same "... compressed" want
+    fi
     by_gdal "GeoJSON with z" geojson a.json -f GeoJSON -zfield elev -select ID
     by_gdal "GMT with z" gmt a.gmt -f OGR_GMT -zfield elev -select ID
     by_gdal "CSV with z" csv a.csv -f CSV -lco GEOMETRY=AS_WKT -zfield elev -select ID

@@ -13,7 +13,7 @@ judge() { # FILE WORDS OPTIONS...
     status=$?
     if [ $status -ne 3 ] || ! one_error; then
         echo "$file $*: exit $status: $(head -n 3 err | cut -c 1-200)"
-    elif ! grep -q "^isoloft: ${file%.*}[.a-z]*\(:[0-9][0-9]*\)\?: .*$words" err; then
+    elif ! grep -q "^isoloft: ${file%.*}[.a-zA-Z]*\(:[0-9][0-9]*\)\?: .*$words" err; then
         echo "$file $*: not '$words': $(cut -c 1-200 err)"
     elif [ "$(wc -c <err)" -gt 600 ]; then
         echo "$file $*: a line of $(wc -c <err) bytes"
@@ -195,7 +195,7 @@ for format in geojson geojsonseq gmt csv bln dxf shp kml gpx; do
     [ -d "$srcdir/formats/$format/invalid" ] || continue
     mkdir "$format" && cp "$srcdir/formats/$format"/invalid/* "$format"
     for expected in "$format"/*.error; do
-        file=$(printf '%s\n' "${expected%.error}".* | grep -v '\.\(error\|dbf\|shx\|prj\|cpg\)$')
+        file=$(printf '%s\n' "${expected%.error}".* | grep -v -i '\.\(error\|dbf\|shx\|prj\|cpg\)$')
         # shellcheck disable=SC2046 # the words of the options that a sample asks for
         judge "$file" "" -f "$format" --project none $(sed -n 's/^isoloft read \(--[a-z]* [A-Z]*\)$/\1/p' "$file")
     done >wrong

@@ -13,13 +13,23 @@ judge() { # FILE WORDS OPTIONS...
     status=$?
     if [ $status -ne 3 ] || ! one_error; then
         echo "$file $*: exit $status: $(head -n 3 err | cut -c 1-200)"
-    elif ! grep -q "^isoloft: $file\(:[0-9][0-9]*\)\?: .*$words" err; then
+    elif ! grep -q "^isoloft: ${file%.*}[.a-zA-Z]*\(:[0-9][0-9]*\)\?: .*$words" err; then
         echo "$file $*: not '$words': $(cut -c 1-200 err)"
     elif [ "$(wc -c <err)" -gt 600 ]; then
         echo "$file $*: a line of $(wc -c <err) bytes"
     elif [ -e out.loft ] || [ -s out ]; then
         echo "$file $*: left an output"
     fi
+}
+
+# The same, but rows of tables that hold no numbers may be left out, which is told.
+judge_rows() { # FILE WORDS OPTIONS...
+    case $form in
+    csv-xyz | csv-comma)
+        "$ISOLOFT" read -f csv "$1" -o rows.loft >out 2>err && grep -q '^isoloft: skipped: .*row' err && return
+        ;;
+    esac
+    judge "$@"
 }
 
 none() { # SENTENCE: ./wrong is empty
@@ -77,12 +87,20 @@ track() {
     *-z | csv-xyz | csv-comma | dxf-polyline) ;;
     *) return ;;
     esac
-    grep '^110 ' $unit.lines | sed 's/^110 /@@ /' | map_as "$form" $unit |
+    sed -n 's/^1[12]0 /@@ /p' $unit.lines | map_as "$form" $unit |
         awk '{ while (sub(/@@/, 100 + ++n)) continue; print }' >"$form.map"
-    judge "$form.map" "varies"
+    judge "$form.map" "isoline"
 }
 each_form track >wrong
 none "a track: refused with that word"
+
+# A point a line, as other programs write spot heights.
+points() {
+    tr ' ' '\n' <$unit.lines | grep , | awk '{ print 100 + NR % 7 " " $1 }' | map_as "$form" $unit >"$form.map"
+    judge "$form.map" "no isolines"
+}
+each_form points >wrong
+none "points by themselves: refused with that word"
 
 one_level() {
     grep '^110 ' $unit.lines | map_as "$form" $unit >"$form.map"
@@ -99,14 +117,17 @@ good() { all_lines | map_as "$form" $unit; }
 junk() {
     { good | head -c 4500; printf '\377\376\000\001\200\033[2J\n\r\t\010\177\377'; head -c 3000 "$ISOLOFT"; good | tail -c 500; } >"$form.map"
     judge "$form.map" ""
-    judge "$form.map" "" -f "$reader"
+    judge_rows "$form.map" "" -f "$reader"
 }
 each_form junk >wrong
 none "binary junk behind a good beginning"
 
+decimal() { if [ $form = csv-comma ]; then echo ","; else echo "[.]"; fi; }
+
 zeros() {
-    good | awk 'NR > 1 && !done && sub(/[0-9]\.[0-9]/, "1@2") { done = 1 } { print }' | tr '@' '\000' >"$form.map"
-    judge "$form.map" "" -f "$reader"
+    good | awk -v number="[0-9]$(decimal)[0-9]" 'NR > 1 && !done && sub(number, "1@2") { done = 1 } { print }' |
+        tr '@' '\000' >"$form.map"
+    judge_rows "$form.map" "" -f "$reader"
 }
 each_form zeros >wrong
 none "a zero byte in a coordinate"
@@ -114,7 +135,7 @@ none "a zero byte in a coordinate"
 # In place of the first digit before a point.
 awk 'BEGIN { for (k = 0; k < 1000000; k++) printf "1234567890" }' >digits
 long_number() {
-    good | awk 'NR > 1 && !done && match($0, /[0-9]\.[0-9]/) {
+    good | awk -v number="[0-9]$(decimal)[0-9]" 'NR > 1 && !done && match($0, number) {
             done = 1
             printf "%s", substr($0, 1, RSTART - 1)
             system("cat digits")
@@ -122,7 +143,7 @@ long_number() {
         }
         { print; fflush() }' >"$form.map"
     [ "$(wc -c <"$form.map")" -gt 10000000 ] || echo "$form: not long"
-    judge "$form.map" "" -f "$reader"
+    judge_rows "$form.map" "" -f "$reader"
     judge "$form.map" "" -f "$reader" --max-line 100000
 }
 each_form long_number >wrong
@@ -156,6 +177,30 @@ cut_gzip() {
 }
 each_form cut_gzip >wrong
 none "a compressed file that was cut"
+
+# Numbers of points that are stated and wrong.
+wrong_counts() {
+    case $form in bln*) ;; *) return ;; esac
+    for count in 3 99 4294967295 99999999999999999999; do
+        good | sed "1s/^[0-9]*/$count/" >"$form.map"
+        judge "$form.map" "" -f "$reader"
+    done
+}
+each_form wrong_counts >wrong
+none "blocks that state wrong numbers of points"
+
+# ---- the samples of every format ---------------------------------------------------------
+
+for format in geojson geojsonseq gmt csv bln dxf shp kml gpx; do
+    [ -d "$srcdir/formats/$format/invalid" ] || continue
+    mkdir "$format" && cp "$srcdir/formats/$format"/invalid/* "$format"
+    for expected in "$format"/*.error; do
+        file=$(printf '%s\n' "${expected%.error}".* | grep -v -i '\.\(error\|dbf\|shx\|prj\|cpg\)$')
+        # shellcheck disable=SC2046 # the words of the options that a sample asks for
+        judge "$file" "" -f "$format" --project none $(sed -n 's/^isoloft read \(--[a-z]* [A-Z]*\)$/\1/p' "$file")
+    done >wrong
+    none "$format: the invalid samples"
+done
 
 # ---- not what it is said to be -----------------------------------------------------------
 

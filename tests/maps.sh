@@ -132,6 +132,13 @@ all_by_gdal() {
 lines_by_gdal() {
     all_by_gdal
     by_gdal "lines with z in a shapefile" shp a.shp -f "ESRI Shapefile" -zfield elev -nlt LINESTRING25D -select ID
+    if is_read shp; then
+        native -f shp - <made/a.shp >got
+        same "... from standard input, without what belongs to it" want
+        gzip made/a.shp
+        native made/a.shp.gz >got
+        same "... compressed" want
+    fi
     by_gdal "GeoJSON with z" geojson a.json -f GeoJSON -zfield elev -select ID
     by_gdal "GMT with z" gmt a.gmt -f OGR_GMT -zfield elev -select ID
     by_gdal "CSV with z" csv a.csv -f CSV -lco GEOMETRY=AS_WKT -zfield elev -select ID
@@ -145,11 +152,11 @@ lines_by_gdal() {
 if command -v gdal_contour >/dev/null && command -v ogr2ogr >/dev/null; then
     for unit in metres degrees; do
         contours $unit "lines" -a elev
-        as=cat
+        as="cat"
         holds "gdal_contour's lines in $unit are read" test "$(grep -c '^slice' lines.native)" -ge 8
         lines_by_gdal
         contours $unit "bands" -p -amin elev_min -amax elev_max
-        as=edges # formats have their own rules which way round polygons run
+        as="edges" # formats have their own rules which way round polygons run
         holds "gdal_contour's polygons in $unit are read" test "$(grep -c '^slice' bands.native)" -ge 8
         all_by_gdal
     done

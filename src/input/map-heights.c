@@ -244,10 +244,19 @@ static size_t set_heights(il_map *m)
     return n;
 }
 
+/* Points by themselves, as in a table of spot heights, are no lines. */
+static bool has_lines(const il_map *m)
+{
+    for (size_t i = 0; i < m->n_lines; i++)
+        if (m->line[i].n > 1)
+            return true;
+    return false;
+}
+
 il_status il_map_find_heights(il_map *m, il_error *err)
 {
     const char *named = m->options->map.height;
-    if (m->n_lines == 0)
+    if (!has_lines(m))
         return il_map_refuse_no_lines(m, err);
     if (named && !choose_named(m, named, &m->place))
         return il_map_refuse_name(m, named, err);

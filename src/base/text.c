@@ -1,6 +1,8 @@
 #include "config.h"
 #include "base/text.h"
 
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 size_t il_utf8_char(const char *s, size_t n, unsigned long *code)
@@ -98,4 +100,13 @@ bool il_text_contains(const char *s, size_t n, const char *what)
 int il_hex_digit(char c)
 {
     return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+void il_text_append(char *to, size_t size, const char *format, ...)
+{
+    size_t n = strlen(to);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(to + n, size - n, format, args);
+    va_end(args);
 }

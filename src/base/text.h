@@ -25,6 +25,9 @@ bool il_utf8_valid(const char *s, size_t n);
 bool il_text_begins(const char *s, size_t n, const char *with);
 bool il_text_contains(const char *s, size_t n, const char *what);
 
+/* Add printf-formatted words to the text at TO[SIZE], as much as fits. */
+void il_text_append(char *to, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
 /* The value of the hexadecimal digit C, in either case; -1 when it is none. */
 int il_hex_digit(char c);
 

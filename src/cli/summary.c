@@ -7,22 +7,10 @@
 #include "cli/table.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { TEXT = 400, LINES_FEW = 10 };
-
-/* Append to TO[SIZE], as much as fits. */
-static void append(char *to, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
-static void append(char *to, size_t size, const char *format, ...)
-{
-    size_t n = strlen(to);
-    va_list args;
-    va_start(args, format);
-    vsnprintf(to + n, size - n, format, args);
-    va_end(args);
-}
 
 /* "3 x crossing made a vertex, ..." for the repairs of R; "none".  Roundings
  * are the output format's, not the input's, and left out unless ALL. */
@@ -31,20 +19,20 @@ static void repairs_text(char *to, size_t size, const il_report *r, bool all)
     *to = '\0';
     for (int k = 0; k < IL_N_REPAIRS; k++)
         if (r->repair[k] > 0 && (all || k != IL_REPAIR_ROUNDED_POINT))
-            append(to, size, "%s%zu x %s", *to ? ", " : "", r->repair[k], il_repair_words((il_repair)k));
+            il_text_append(to, size, "%s%zu x %s", *to ? ", " : "", r->repair[k], il_repair_words((il_repair)k));
     if (!*to)
-        append(to, size, "none");
+        il_text_append(to, size, "none");
 }
 
 static void skip_text(char *to, size_t size, const il_skip *s)
 {
     *to = '\0';
-    append(to, size, "%s", s->file);
+    il_text_append(to, size, "%s", s->file);
     if (s->line > 0)
-        append(to, size, ":%ld", s->line);
-    append(to, size, "%s%s: %s", *to ? ": " : "", s->what, s->why);
+        il_text_append(to, size, ":%ld", s->line);
+    il_text_append(to, size, "%s%s: %s", *to ? ": " : "", s->what, s->why);
     if (s->count > 1)
-        append(to, size, " (%zu times)", s->count);
+        il_text_append(to, size, " (%zu times)", s->count);
 }
 
 static const char *stack_label(const il_stack_account *s, size_t index, char *to, size_t size)

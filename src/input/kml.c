@@ -330,10 +330,7 @@ static il_status on_text(void *self, const char *s, size_t n, long line, il_erro
 
 static il_status on_finish(void *self, long line, il_error *err)
 {
-    const parser *p = self;
-    if (p->xml.depth > 0 || p->xml.n_skipped > 0)
-        return il_fail(err, IL_E_INPUT, line, "the file ends inside an element: it was cut");
-    return IL_OK;
+    return il_map_xml_finish(&((const parser *)self)->xml, line, err);
 }
 
 static const il_xml_client client = {
@@ -346,11 +343,8 @@ static const il_xml_client client = {
 
 static il_status parse(il_source *source, il_map_set *set, const il_read_options *options, il_error *err)
 {
-    static const char crs[] = "EPSG:4326";
     parser p = { .set = set, .points = { .set = set, .max_text = options->max_line } };
-    il_map_xml_init(&p.xml, set, options);
-    il_map_degrees(set);
-    il_status st = il_map_crs(set, crs, strlen(crs), 1, err);
+    il_status st = il_map_xml_init(&p.xml, set, options, err);
     if (st == IL_OK)
         st = il_xml_read(source, &client, &p, options->max_line, err);
     while (p.n_containers > 0)

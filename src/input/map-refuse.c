@@ -1,23 +1,13 @@
 #include "config.h"
 #include "input/map-refuse.h"
 #include "base/number.h"
+#include "base/text.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { LIST_MOST = 300, NAME_MOST = 40 };
-
-static void append(char *to, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
-static void append(char *to, size_t size, const char *format, ...)
-{
-    size_t n = strlen(to);
-    va_list args;
-    va_start(args, format);
-    vsnprintf(to + n, size - n, format, args);
-    va_end(args);
-}
 
 /* "; attributes: ID, name"; nothing where there are none. */
 static void list_attributes(const il_map *m, char *to, size_t size)
@@ -29,11 +19,11 @@ static void list_attributes(const il_map *m, char *to, size_t size)
     for (size_t k = 0; k < m->n_columns && strlen(to) + NAME_MOST + 20 < size; k++) {
         if (m->column[k].is_place)
             continue;
-        append(to, size, "%s%.*s", shown == 0 ? "; attributes: " : ", ", NAME_MOST, m->column[k].name);
+        il_text_append(to, size, "%s%.*s", shown == 0 ? "; attributes: " : ", ", NAME_MOST, m->column[k].name);
         shown++;
     }
     if (shown < n)
-        append(to, size, " and %zu more", n - shown);
+        il_text_append(to, size, " and %zu more", n - shown);
 }
 
 static il_status name_file(const il_map *m, const il_map_line *l, il_error *err)
@@ -96,11 +86,11 @@ const char *il_map_place_words(const il_map *m, char *to, size_t size)
     const il_map_where *p = &m->place;
     *to = '\0';
     if (p->kind == IL_MAP_Z)
-        append(to, size, "z coordinates");
+        il_text_append(to, size, "z coordinates");
     else if (p->kind == IL_MAP_BAND)
-        append(to, size, "attributes '%.60s' and '%.60s'", m->column[p->low].name, m->column[p->high].name);
+        il_text_append(to, size, "attributes '%.60s' and '%.60s'", m->column[p->low].name, m->column[p->high].name);
     else
-        append(to, size, "%s '%.60s'", m->column[p->low].is_place ? "the text in" : "attribute", m->column[p->low].name);
+        il_text_append(to, size, "%s '%.60s'", m->column[p->low].is_place ? "the text in" : "attribute", m->column[p->low].name);
     return to;
 }
 

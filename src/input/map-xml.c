@@ -4,9 +4,12 @@
 
 #include <string.h>
 
-void il_map_xml_init(il_map_xml *x, il_map_set *set, const il_read_options *options)
+il_status il_map_xml_init(il_map_xml *x, il_map_set *set, const il_read_options *options, il_error *err)
 {
+    static const char crs[] = "EPSG:4326";
     *x = (il_map_xml){ .set = set, .max_depth = options->max_depth, .max_text = options->max_line };
+    il_map_degrees(set);
+    return il_map_crs(set, crs, strlen(crs), 1, err);
 }
 
 void il_map_xml_free(il_map_xml *x)
@@ -84,4 +87,11 @@ bool il_map_xml_is_blank(const char *s, size_t n, long *line)
             return false;
     }
     return true;
+}
+
+il_status il_map_xml_finish(const il_map_xml *x, long line, il_error *err)
+{
+    if (x->depth > 0 || x->n_skipped > 0)
+        return il_fail(err, IL_E_INPUT, line, "the file ends inside an element: it was cut");
+    return IL_OK;
 }

@@ -20,7 +20,8 @@ typedef struct il_map_xml {
     size_t n_text, cap_text, n_name, cap_name;
 } il_map_xml;
 
-void il_map_xml_init(il_map_xml *x, il_map_set *set, const il_read_options *options);
+/* Both formats are of WGS 84, which SET is told. */
+il_status il_map_xml_init(il_map_xml *x, il_map_set *set, const il_read_options *options, il_error *err);
 void il_map_xml_free(il_map_xml *x);
 
 /* The element E is open, and called KIND.  IL_E_INPUT: nested too deep. */
@@ -46,6 +47,9 @@ il_status il_map_xml_end_value(il_map_xml *x, il_error *err);
 
 /* The text kept is of the place NAME (il_map_place). */
 il_status il_map_xml_end_place(il_map_xml *x, const char *name, il_error *err);
+
+/* The file ends at LINE.  IL_E_INPUT: inside an element. */
+il_status il_map_xml_finish(const il_map_xml *x, long line, il_error *err);
 
 /* Is S[0..N) white space?  *LINE, its first line, becomes that of what is none. */
 bool il_map_xml_is_blank(const char *s, size_t n, long *line);

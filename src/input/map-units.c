@@ -182,7 +182,8 @@ static il_status settle_levels(il_map *m, il_error *err)
     if (st == IL_OK) {
         il_sort_doubles(z, n);
         name_levels(z, level, n, &n_levels);
-        move_lines(m, z, level, n);
+        if (memcmp(z, level, n * sizeof *z) != 0)
+            move_lines(m, z, level, n);
         if (n_levels == 1 && m->options->map.high == IL_SIDE_UNKNOWN)
             st = il_map_refuse_one_level(m, z[0], err);
     }

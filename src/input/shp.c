@@ -1,5 +1,6 @@
 /* shp.c - shapefiles (formats/shp.txt): features from records and rows. */
 #include "config.h"
+#include "base/alloc.h"
 #include "input/reader.h"
 #include "input/shp.h"
 
@@ -150,17 +151,22 @@ static il_status tell(const reading *r, il_error *err)
     return tell_missing_table(r, err);
 }
 
-/* Text of the .prj without what may follow it. */
+/* Text of the .prj without what may follow it; names in it may be in any code page. */
 static il_status take_crs(const reading *r, il_error *err)
 {
     const il_shp_bytes *prj = &r->files->prj;
-    const char *text = (const char *)prj->data, *nul = text ? memchr(text, 0, prj->n) : NULL;
-    size_t n = nul ? (size_t)(nul - text) : prj->n;
-    while (n > 0 && (text[n - 1] == ' ' || text[n - 1] == '\n' || text[n - 1] == '\r' || text[n - 1] == '\t'))
+    il_codepage page = IL_CODEPAGE_INIT;
+    const char *given = (const char *)prj->data, *nul = given ? memchr(given, 0, prj->n) : NULL;
+    size_t n = nul ? (size_t)(nul - given) : prj->n;
+    char *text = NULL;
+    while (n > 0 && (given[n - 1] == ' ' || given[n - 1] == '\n' || given[n - 1] == '\r' || given[n - 1] == '\t'))
         n--;
-    il_status st = text ? il_map_crs(r->set, text, n, 0, err) : IL_OK;
+    il_status st = given ? il_codepage_text(&page, given, n, &text, &n, err) : IL_OK;
+    if (st == IL_OK && text)
+        st = il_map_crs(r->set, text, n, 0, err);
     if (st == IL_E_INPUT)
         il_error_set_file(err, prj->name);
+    il_free(text);
     return st;
 }
 

@@ -7,7 +7,8 @@
  * the form has no other, every one a feature with its height in `elev`.
  * FORM: geojson (a collection with as many decimals as a double has, as GDAL writes
  * it, the default), geojsonseq (a feature a line, 7 decimals), dxf (LWPOLYLINE), kml, gpx
- * (lines with z), all as GDAL writes them. */
+ * (lines with z), all as GDAL writes them; shp (PolyLineZ, which needs no table for its
+ * heights). */
 #include "config.h"
 
 #include <math.h>
@@ -44,20 +45,93 @@ static const struct form {
 };
 enum { N_FORMS = sizeof forms / sizeof *forms };
 
-/* Half of all isolines come back to their first point, the rest are cut. */
+/* Point K of a level.  Half of all isolines come back to their first point, the rest are cut. */
+static void find_point(int hill, int level, int levels, int points, int k, double *xy)
+{
+    double r = 0.45 * APART * (levels - level) / levels;
+    int last = level % 2 ? points : points - 1;
+    double turn = TURN * k / last, bend = 1;
+    for (int h = 2; h <= HARMONICS; h++)
+        bend += 0.04 / h * sin(h * turn + 0.3 * hill * h + 0.02 * level * h);
+    double end = k == last ? 0 : turn;
+    xy[0] = 400000 + APART * hill + r * bend * cos(end);
+    xy[1] = 5100000 + r * bend * sin(end);
+}
+
 static void put_line(const struct form *f, int hill, int level, int levels, int points)
 {
-    double r = 0.45 * APART * (levels - level) / levels, x0 = 400000 + APART * hill, y0 = 5100000;
     double scale = f->is_degrees ? DEGREES : 1;
-    int last = level % 2 ? points : points - 1;
     for (int k = 0; k < points; k++) {
-        double turn = TURN * k / last, bend = 1;
-        for (int h = 2; h <= HARMONICS; h++)
-            bend += 0.04 / h * sin(h * turn + 0.3 * hill * h + 0.02 * level * h);
-        double end = k == last ? 0 : turn;
+        double xy[2];
+        find_point(hill, level, levels, points, k, xy);
         fputs(k > 0 ? f->comma : "", stdout);
-        printf(f->point, scale * (x0 + r * bend * cos(end)), scale * (y0 + r * bend * sin(end)), INTERVAL * level);
+        printf(f->point, scale * xy[0], scale * xy[1], INTERVAL * level);
     }
+}
+
+static void put_text(const struct form *f, int hills, int levels, int points)
+{
+    fputs(f->begin, stdout);
+    for (int hill = 0; hill < hills; hill++) {
+        for (int level = 0; level < levels; level++) {
+            fputs(hill + level > 0 ? f->between : "", stdout);
+            printf("%s%d.0%s", f->feature, INTERVAL * level, f->lines);
+            put_line(f, hill, level, levels, points);
+            fputs(f->tail, stdout);
+        }
+    }
+    fputs(f->end, stdout);
+}
+
+/* ---- shapefiles, on machines whose least byte comes first ------------------------------ */
+
+static void put_big(unsigned value)
+{
+    for (int k = 24; k >= 0; k -= 8)
+        putchar((int)(value >> k & 255));
+}
+
+static void put_ints(const int *value, size_t n)
+{
+    fwrite(value, sizeof *value, n, stdout);
+}
+
+static void put_doubles(double value, int n)
+{
+    for (int k = 0; k < n; k++)
+        fwrite(&value, sizeof value, 1, stdout);
+}
+
+/* Type, box, one part, its points, the range of z and all of them. */
+static void put_record(unsigned number, unsigned n_bytes, int hill, int level, int levels, int points)
+{
+    const int type = 13, counts[] = { 1, points, 0 };
+    put_big(number);
+    put_big(n_bytes / 2);
+    put_ints(&type, 1);
+    put_doubles(0, 4);
+    put_ints(counts, 3);
+    for (int k = 0; k < points; k++) {
+        double xy[2];
+        find_point(hill, level, levels, points, k, xy);
+        fwrite(xy, sizeof *xy, 2, stdout);
+    }
+    put_doubles(INTERVAL * level, 2 + points);
+}
+
+static void put_shapes(int hills, int levels, int points)
+{
+    const int about[] = { 1000, 13 };
+    unsigned n_bytes = 64 + 24 * (unsigned)points, number = 0;
+    put_big(9994);
+    for (int k = 0; k < 5; k++)
+        put_big(0);
+    put_big((100 + (8 + n_bytes) * (unsigned)(hills * levels)) / 2);
+    put_ints(about, 2);
+    put_doubles(0, 8);
+    for (int hill = 0; hill < hills; hill++)
+        for (int level = 0; level < levels; level++)
+            put_record(++number, n_bytes, hill, level, levels, points);
 }
 
 int main(int argc, char **argv)
@@ -70,15 +144,9 @@ int main(int argc, char **argv)
     if (argc != (has_form ? 6 : 4))
         return 2;
     int hills = atoi(number[0]), levels = atoi(number[1]), points = atoi(number[2]);
-    fputs(f->begin, stdout);
-    for (int hill = 0; hill < hills; hill++) {
-        for (int level = 0; level < levels; level++) {
-            fputs(hill + level > 0 ? f->between : "", stdout);
-            printf("%s%d.0%s", f->feature, INTERVAL * level, f->lines);
-            put_line(f, hill, level, levels, points);
-            fputs(f->tail, stdout);
-        }
-    }
-    fputs(f->end, stdout);
+    if (has_form && strcmp(argv[2], "shp") == 0)
+        put_shapes(hills, levels, points);
+    else
+        put_text(f, hills, levels, points);
     return 0;
 }

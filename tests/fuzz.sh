@@ -1,8 +1,22 @@
 # fuzz.sh - the fuzz harnesses over their formats' samples and over what fuzzing
 # has found, without a fuzzer; one case a harness.
 
-harnesses="dcmdump dicom-json dicom-xml geojson json keyhole loft mesh svg"
-harnesses="dcmdump dicom-json dicom-xml gpx json keyhole kml loft mesh svg"
+harnesses="
+bln
+csv
+dcmdump
+dicom-json
+dicom-xml
+geojson
+gmt
+gpx
+json
+keyhole
+kml
+loft
+mesh
+svg
+"
 
 set -- $harnesses
 echo "1..$#"

@@ -37,7 +37,7 @@ static bool parse_header(il_map_text t, block *b)
 {
     double flag;
     bool is_header = il_map_text_number(&t, false, &b->count) && il_map_text_number(&t, true, &flag) &&
-                     b->count >= 0 && b->count < 1e15 && b->count == floor(b->count) && (fabs(flag) == 1 || flag == 0);
+                     b->count >= 1 && b->count < 1e15 && b->count == floor(b->count) && (fabs(flag) == 1 || flag == 0);
     if (is_header)
         take_name(&t, b);
     return is_header;
@@ -146,7 +146,7 @@ static bool probe(const unsigned char *head, size_t n)
     if (!il_map_text_is_plain(head, n))
         return false;
     while (il_map_text_head(head, n, &at, &t, &whole)) {
-        bool is_cut = !whole && n >= IL_MAP_TEXT_HEAD, is_header = parse_header(t, &b) && b.count > 0;
+        bool is_cut = !whole && n >= IL_MAP_TEXT_HEAD, is_header = parse_header(t, &b);
         if (t.p == t.end || is_cut)
             continue;
         if (seen++ == 0)

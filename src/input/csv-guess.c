@@ -86,8 +86,11 @@ static size_t count_agreeing(const size_t *count, size_t n, size_t *mode)
     return best;
 }
 
+/* What a separator is worth by which a record is not well-formed. */
+static const double broken_counts = 0.5;
+
 /* The part of the records that SEPARATOR cuts into the same number of cells; 0 when
- * it cuts nothing, or not all that is there. */
+ * it cuts nothing. */
 static il_status try_separator(const void *head, size_t n, bool is_whole, char separator, double *part, il_csv_guess *g,
                                il_error *err)
 {
@@ -102,9 +105,10 @@ static il_status try_separator(const void *head, size_t n, bool is_whole, char s
     *part = 0;
     if (st != IL_OK || ended == IL_E_NOMEM)
         return st == IL_OK ? il_fail_nomem(err) : st;
-    if (ended != IL_OK || g->n_records == 0)
+    if (g->n_records == 0)
         return IL_OK;
-    *part = (double)count_agreeing(count, g->n_records, &mode) / (double)g->n_records;
+    double agreeing = (double)count_agreeing(count, g->n_records, &mode) / (double)g->n_records;
+    *part = ended == IL_OK ? agreeing : broken_counts * agreeing;
     g->n_columns = mode;
     if (mode < 2 && separator != '\n')
         *part = 0;

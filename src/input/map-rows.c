@@ -147,7 +147,7 @@ static size_t count_changes(const il_map_rows *r, size_t k)
 {
     size_t n = 0;
     for (size_t i = 1; i < r->n_runs; i++)
-        n += (r->run[i].news & IL_MAP_ROWS_COLUMN << k) != 0;
+        n += (r->run[i].news & (unsigned)IL_MAP_ROWS_COLUMN << k) != 0;
     return n;
 }
 
@@ -159,7 +159,7 @@ static unsigned find_numbering(const il_map_rows *r, const il_map_rows_names *na
         int shown = names->n_column[k] < 40 ? (int)names->n_column[k] : 40;
         bool numbers = n > 0 && n <= r->n / 2;
         if (numbers)
-            bits |= IL_MAP_ROWS_COLUMN << k;
+            bits |= (unsigned)IL_MAP_ROWS_COLUMN << k;
         if (numbers)
             il_report_note(il_map_report(set), "%.200s: a line ends where '%.*s' changes", il_map_file(set), shown, names->column[k]);
         else if (n > 0)

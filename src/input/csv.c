@@ -104,7 +104,8 @@ static il_status fail_columns(const il_csv_table *t)
 static il_status take_unnamed(il_csv_table *t)
 {
     if (t->heads.n < 2 || t->heads.n > 3)
-        return il_fail(t->err, IL_E_INPUT, t->csv.line, "no header names the columns, and there are %zu; without one they are x, y, z", t->heads.n);
+        return il_fail(t->err, IL_E_INPUT, t->csv.line, "no header names the columns, and there are %zu; without one they are x, y, z",
+                       t->heads.n);
     t->x = 0;
     t->y = 1;
     t->z = t->heads.n > 2 ? 2 : IL_CSV_NONE;

@@ -210,6 +210,7 @@ static il_status look_at_comment(const il_csv *c, il_csv_guess *out, il_error *e
 static void look_at_row(const il_csv *c, il_csv_guess *out)
 {
     out->numbers &= c->n == out->n_columns;
+    out->marks |= c->cell[0].n > 0 && c->cell[0].text[0] == '>';
     for (size_t k = 0; k < c->n; k++) {
         const il_csv_cell *cell = &c->cell[k];
         bool is_wkt = il_wkt_begins(cell->text, cell->n);
@@ -268,5 +269,5 @@ bool il_csv_guess_is_map(const il_csv_guess *g)
 {
     bool is_plain = g->header == IL_CSV_NO_HEADER && g->numbers && g->n_records > 1 && g->separator != ' ' &&
                     g->separator != '\t' && g->n_columns >= 2 && g->n_columns <= 3;
-    return g->names_xy || g->names_geometry || g->geometry != IL_CSV_NONE || (g->header == IL_CSV_NO_HEADER && is_plain);
+    return !g->marks && (g->names_xy || g->names_geometry || g->geometry != IL_CSV_NONE || is_plain);
 }

@@ -217,7 +217,7 @@ static bool probe(const unsigned char *head, size_t n)
 {
     il_csv_guess g;
     return il_map_text_is_plain(head, n) && il_csv_look(head, n, n < IL_MAP_TEXT_HEAD, &g, NULL) == IL_OK &&
-           il_csv_guess_is_map(&g);
+           il_csv_guess_is_map(&g) && !il_reader_bln.probe(head, n);
 }
 
 const il_reader il_reader_csv = {

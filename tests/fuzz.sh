@@ -7,6 +7,13 @@ dicom-json
 dicom-xml
 dxf
 geojson
+bln
+csv
+dcmdump
+dicom-json
+dicom-xml
+geojson
+gmt
 gpx
 json
 keyhole

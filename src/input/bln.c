@@ -7,9 +7,12 @@
 #include <math.h>
 #include <string.h>
 
+/* Beyond all limits of points. */
+static const double COUNT_MOST = 4e9;
+
 /* A header: COUNT,FLAG[,NAME].  line: where it stands; 0 before the first. */
 typedef struct block {
-    double count;
+    size_t count;
     const char *name;
     size_t n_name;
     long line;
@@ -35,11 +38,13 @@ static void take_name(il_map_text *t, block *b)
 /* The flag says whether Surfer blanks inside (1) or outside (0); -1 is of others. */
 static bool parse_header(il_map_text t, block *b)
 {
-    double flag;
-    bool is_header = il_map_text_number(&t, false, &b->count) && il_map_text_number(&t, true, &flag) &&
-                     b->count >= 0 && b->count < 1e15 && b->count == floor(b->count) && (fabs(flag) == 1 || flag == 0);
-    if (is_header)
+    double count, flag;
+    bool is_header = il_map_text_number(&t, false, &count) && il_map_text_number(&t, true, &flag) &&
+                     count >= 1 && count < COUNT_MOST && count == floor(count) && (fabs(flag) == 1 || flag == 0);
+    if (is_header) {
+        b->count = (size_t)count;
         take_name(&t, b);
+    }
     return is_header;
 }
 
@@ -57,7 +62,7 @@ static il_status fail_header(const il_map_text *t, const block *before, long lin
     if (before->line == 0)
         return il_fail(err, IL_E_INPUT, line, "'%.*s' is no header of a block, COUNT,FLAG", il_map_text_shown(t), t->p);
     return il_fail(err, IL_E_INPUT, line, "'%.*s' is no header of a block, COUNT,FLAG; the block before it says in line %ld "
-                   "that it has %.0f points", il_map_text_shown(t), t->p, before->line, before->count);
+                   "that it has %zu points", il_map_text_shown(t), t->p, before->line, before->count);
 }
 
 static il_status read_points(il_lines *l, il_map_set *set, const block *b, il_error *err)
@@ -66,14 +71,14 @@ static il_status read_points(il_lines *l, il_map_set *set, const block *b, il_er
     il_map_text t;
     double x, y, z;
     bool more;
-    for (double k = 0; k < b->count && st == IL_OK;) {
+    for (size_t k = 0; k < b->count && st == IL_OK;) {
         st = il_map_text_line(l, &t, &more, err);
         if (st == IL_OK && !more)
-            return il_fail(err, IL_E_INPUT, b->line, "the block says that it has %.0f points, but the file ends after %.0f", b->count, k);
+            return il_fail(err, IL_E_INPUT, b->line, "the block says that it has %zu points, but the file ends after %zu", b->count, k);
         if (st != IL_OK || t.p == t.end)
             continue;
         if (!parse_point(t, &x, &y, &z))
-            return il_fail(err, IL_E_INPUT, l->line, "'%.*s' is no point, x,y or x,y,z; it should be number %.0f of the %.0f points "
+            return il_fail(err, IL_E_INPUT, l->line, "'%.*s' is no point, x,y or x,y,z; it should be number %zu of the %zu points "
                            "that line %ld says", il_map_text_shown(&t), t.p, k + 1, b->count, b->line);
         st = il_map_point(set, x, y, z, l->line, err);
         k++;
@@ -140,13 +145,13 @@ static bool probe(const unsigned char *head, size_t n)
 {
     il_map_text t;
     block b = { .count = 0 };
-    double x, y, z, left = 0;
+    double x, y, z;
     bool whole, certain = false;
-    size_t at = 0, seen = 0;
+    size_t at = 0, seen = 0, left = 0;
     if (!il_map_text_is_plain(head, n))
         return false;
     while (il_map_text_head(head, n, &at, &t, &whole)) {
-        bool is_cut = !whole && n >= IL_MAP_TEXT_HEAD, is_header = parse_header(t, &b) && b.count > 0;
+        bool is_cut = !whole && n >= IL_MAP_TEXT_HEAD, is_header = parse_header(t, &b);
         if (t.p == t.end || is_cut)
             continue;
         if (seen++ == 0)

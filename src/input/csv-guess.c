@@ -86,8 +86,11 @@ static size_t count_agreeing(const size_t *count, size_t n, size_t *mode)
     return best;
 }
 
+/* What a separator is worth by which a record is not well-formed. */
+static const double broken_counts = 0.5;
+
 /* The part of the records that SEPARATOR cuts into the same number of cells; 0 when
- * it cuts nothing, or not all that is there. */
+ * it cuts nothing. */
 static il_status try_separator(const void *head, size_t n, bool is_whole, char separator, double *part, il_csv_guess *g,
                                il_error *err)
 {
@@ -102,9 +105,10 @@ static il_status try_separator(const void *head, size_t n, bool is_whole, char s
     *part = 0;
     if (st != IL_OK || ended == IL_E_NOMEM)
         return st == IL_OK ? il_fail_nomem(err) : st;
-    if (ended != IL_OK || g->n_records == 0)
+    if (g->n_records == 0)
         return IL_OK;
-    *part = (double)count_agreeing(count, g->n_records, &mode) / (double)g->n_records;
+    double agreeing = (double)count_agreeing(count, g->n_records, &mode) / (double)g->n_records;
+    *part = ended == IL_OK ? agreeing : broken_counts * agreeing;
     g->n_columns = mode;
     if (mode < 2 && separator != '\n')
         *part = 0;
@@ -206,6 +210,7 @@ static il_status look_at_comment(const il_csv *c, il_csv_guess *out, il_error *e
 static void look_at_row(const il_csv *c, il_csv_guess *out)
 {
     out->numbers &= c->n == out->n_columns;
+    out->marks |= c->cell[0].n > 0 && c->cell[0].text[0] == '>';
     for (size_t k = 0; k < c->n; k++) {
         const il_csv_cell *cell = &c->cell[k];
         bool is_wkt = il_wkt_begins(cell->text, cell->n);
@@ -264,5 +269,5 @@ bool il_csv_guess_is_map(const il_csv_guess *g)
 {
     bool is_plain = g->header == IL_CSV_NO_HEADER && g->numbers && g->n_records > 1 && g->separator != ' ' &&
                     g->separator != '\t' && g->n_columns >= 2 && g->n_columns <= 3;
-    return g->names_xy || g->names_geometry || g->geometry != IL_CSV_NONE || (g->header == IL_CSV_NO_HEADER && is_plain);
+    return !g->marks && (g->names_xy || g->names_geometry || g->geometry != IL_CSV_NONE || is_plain);
 }

@@ -16,14 +16,15 @@
  * header: where the names of columns stand: in the first record, in a comment before it.
  * geometry, hex: the columns that hold well-known text, and binary in hexadecimals;
  * IL_CSV_NONE for none.  only_points: the texts are of points only.
- * names_xy, names_geometry: so does the header.  numbers: every cell is a number. */
+ * names_xy, names_geometry: so does the header.  numbers: every cell is a number.
+ * marks: a row begins with >, as GMT marks segments. */
 typedef struct il_csv_guess {
     char separator;
     bool says_separator;
     size_t n_columns, n_records;
     enum { IL_CSV_NO_HEADER, IL_CSV_HEADER, IL_CSV_COMMENT } header;
     size_t geometry, hex;
-    bool only_points, names_xy, names_geometry, numbers;
+    bool only_points, names_xy, names_geometry, numbers, marks;
 } il_csv_guess;
 
 /* Look at HEAD[0..N); is_whole: it is all of the file.  Of the separators that which cuts

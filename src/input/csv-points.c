@@ -85,7 +85,7 @@ static il_status compare_numbers(points *p, unsigned *news)
         if (c.n > 0)
             memcpy(m->text, c.text, c.n);
         m->n = c.n;
-        *news |= IL_MAP_ROWS_COLUMN << k;
+        *news |= (unsigned)IL_MAP_ROWS_COLUMN << k;
     }
     return IL_OK;
 }

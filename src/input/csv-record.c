@@ -85,9 +85,10 @@ static il_status first_line(il_csv *c, bool *more, il_error *err)
 /* The record in memory of its own. */
 static bool own(il_csv *c, size_t n)
 {
+    bool is_own = c->text == c->buf;
     if (!il_grow(&c->buf, &c->cap_buf, n, 1))
         return false;
-    if (c->text != c->buf && c->n_text > 0)
+    if (!is_own && c->n_text > 0)
         memcpy(c->buf, c->text, c->n_text);
     c->text = c->buf;
     return true;
@@ -130,7 +131,7 @@ static il_status add_cell(il_csv *c, size_t begin, size_t n, long line, il_error
 static il_status fail_cut(il_csv *c, const char *what, long line, il_error *err)
 {
     c->is_cut = true;
-    return c->takes_cut ? IL_OK : il_fail(err, IL_E_INPUT, line, "the file ends inside the %s that begins here", what);
+    return c->takes_cut ? IL_OK : il_fail(err, IL_E_INPUT, line, "the file ends inside of %s that begin here", what);
 }
 
 /* Append the next line to the record, as the cell that begins in line BEGUN with WHAT

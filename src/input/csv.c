@@ -104,7 +104,8 @@ static il_status fail_columns(const il_csv_table *t)
 static il_status take_unnamed(il_csv_table *t)
 {
     if (t->heads.n < 2 || t->heads.n > 3)
-        return il_fail(t->err, IL_E_INPUT, t->csv.line, "no header names the columns, and there are %zu; without one they are x, y, z", t->heads.n);
+        return il_fail(t->err, IL_E_INPUT, t->csv.line, "no header names the columns, and there are %zu; without one they are x, y, z",
+                       t->heads.n);
     t->x = 0;
     t->y = 1;
     t->z = t->heads.n > 2 ? 2 : IL_CSV_NONE;
@@ -216,7 +217,7 @@ static bool probe(const unsigned char *head, size_t n)
 {
     il_csv_guess g;
     return il_map_text_is_plain(head, n) && il_csv_look(head, n, n < IL_MAP_TEXT_HEAD, &g, NULL) == IL_OK &&
-           il_csv_guess_is_map(&g);
+           il_csv_guess_is_map(&g) && !il_reader_bln.probe(head, n);
 }
 
 const il_reader il_reader_csv = {

@@ -19,13 +19,18 @@ void il_gmt_ogr_free(il_gmt_ogr *o)
     il_free(o->text);
 }
 
-/* The next "@KEYvalue" of T, up to the next one outside of quotes: its key, and the
- * value in *VALUE. */
+static bool is_letter(char c)
+{
+    return (c | 0x20) >= 'a' && (c | 0x20) <= 'z';
+}
+
+/* The next "@KEYvalue" of T: its key, and the value in *VALUE, up to the next one
+ * outside of quotes; the values of attributes (D) take the rest of the line. */
 static char next_item(il_map_text *t, il_map_text *value)
 {
-    while (t->p < t->end && *t->p != '@')
+    while (t->p < t->end && !(*t->p == '@' && t->p + 1 < t->end && is_letter(t->p[1])))
         t->p++;
-    if (t->end - t->p < 2)
+    if (t->p == t->end)
         return '\0';
     char key = t->p[1];
     bool in_quotes = false;
@@ -35,7 +40,7 @@ static char next_item(il_map_text *t, il_map_text *value)
             t->p++;
         else if (*t->p == '"')
             in_quotes = !in_quotes;
-        else if (*t->p == '@' && !in_quotes && il_map_text_is_blank(t->p[-1]))
+        else if (*t->p == '@' && !in_quotes && key != 'D' && il_map_text_is_blank(t->p[-1]))
             break;
     }
     value->end = t->p;

@@ -4,6 +4,7 @@
 #include "input/gmt.h"
 #include "base/number.h"
 #include "base/text.h"
+#include "input/csv-guess.h"
 
 #include <math.h>
 #include <string.h>
@@ -227,6 +228,14 @@ static bool is_row(il_map_text t, bool *has_mark)
     return true;
 }
 
+/* Rows without marks, of which neither a comment says that it is another table nor the
+ * first that they are counted. */
+static bool is_table(const unsigned char *head, size_t n)
+{
+    il_csv_guess g;
+    return !il_reader_bln.probe(head, n) && il_csv_look(head, n, n < IL_MAP_TEXT_HEAD, &g, NULL) == IL_OK && !g.names_xy;
+}
+
 /* OGR's first line; or a row behind a mark of segments, with no line before it that is of
  * another kind than a few of text; or rows only, with nothing but blanks between their
  * numbers. */
@@ -255,7 +264,7 @@ static bool probe(const unsigned char *head, size_t n)
         if (marked && rows > 0)
             return true;
     }
-    return !marked && texts == 0 && rows > 1 && !has_mark;
+    return !marked && texts == 0 && rows > 1 && !has_mark && is_table(head, n);
 }
 
 const il_reader il_reader_gmt = {

@@ -36,18 +36,21 @@ static bool is_repeated(const il_map_heads *h, const il_map_head *head)
 
 il_status il_map_heads_choose(il_map_heads *h, il_map_set *set, il_error *err)
 {
+    const char *repeated = NULL;
     for (size_t k = 0; k < h->n && h->n_wanted < IL_MAP_HEADS_MOST; k++) {
         const il_map_head *head = &h->head[k];
         if (head->is_taken || !il_map_wants(set, head->name, head->n))
             continue;
         if (is_repeated(h, head)) {
-            il_report_note(il_map_report(set), "%.200s: '%.40s' names two columns; the first is read", il_map_file(set), head->name);
+            repeated = head->name;
             continue;
         }
         if (!il_grow(&h->wanted, &h->cap_wanted, h->n_wanted + 1, sizeof *h->wanted))
             return il_fail_nomem(err);
         h->wanted[h->n_wanted++] = k;
     }
+    if (repeated)
+        il_report_note(il_map_report(set), "%.200s: '%.40s' names more than one column; the first is read", il_map_file(set), repeated);
     return IL_OK;
 }
 

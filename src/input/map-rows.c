@@ -140,6 +140,18 @@ static il_status find_gap(const il_map_rows *r, double *gap, il_error *err)
     return IL_OK;
 }
 
+/* A table in which the height changes at most rows has no lines in it. */
+static il_status refuse_points(const il_map_rows *r, il_error *err)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < r->n_runs; k++)
+        n += (r->run[k].news & IL_MAP_ROWS_HEIGHT) != 0;
+    if (n <= r->n / 2 || n < 2)
+        return IL_OK;
+    return il_fail(err, IL_E_INPUT, r->run[0].line, "its points are no lines: the height changes %zu times in %zu rows, as in scattered "
+                   "points or a grid (gdal_contour makes isolines of a grid)", n - 1, r->n);
+}
+
 /* ---- which columns number lines ------------------------------------------------- */
 
 /* How often column K changes. */
@@ -147,7 +159,7 @@ static size_t count_changes(const il_map_rows *r, size_t k)
 {
     size_t n = 0;
     for (size_t i = 1; i < r->n_runs; i++)
-        n += (r->run[i].news & IL_MAP_ROWS_COLUMN << k) != 0;
+        n += (r->run[i].news & (unsigned)IL_MAP_ROWS_COLUMN << k) != 0;
     return n;
 }
 
@@ -159,7 +171,7 @@ static unsigned find_numbering(const il_map_rows *r, const il_map_rows_names *na
         int shown = names->n_column[k] < 40 ? (int)names->n_column[k] : 40;
         bool numbers = n > 0 && n <= r->n / 2;
         if (numbers)
-            bits |= IL_MAP_ROWS_COLUMN << k;
+            bits |= (unsigned)IL_MAP_ROWS_COLUMN << k;
         if (numbers)
             il_report_note(il_map_report(set), "%.200s: a line ends where '%.*s' changes", il_map_file(set), shown, names->column[k]);
         else if (n > 0)
@@ -288,6 +300,8 @@ il_status il_map_rows_emit(const il_map_rows *r, const il_map_rows_names *names,
     d.by_shape = numbering == 0;
     d.cuts = IL_MAP_ROWS_BREAK | (d.by_shape ? IL_MAP_ROWS_HEIGHT : numbering);
     if (d.by_shape)
+        st = refuse_points(r, err);
+    if (st == IL_OK && d.by_shape)
         st = find_gap(r, &d.gap, err);
     if (st == IL_OK)
         st = divide(&d, err);

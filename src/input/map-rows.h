@@ -64,7 +64,8 @@ typedef struct il_map_rows_names {
     size_t n_column[IL_MAP_ROWS_COLUMNS], n_columns;
 } il_map_rows_names;
 
-/* Give the lines to SET, a feature each, and tell how they were found. */
+/* Give the lines to SET, a feature each, and tell how they were found.  IL_E_INPUT: no
+ * column numbers lines, and the height changes at more than half of the rows. */
 il_status il_map_rows_emit(const il_map_rows *r, const il_map_rows_names *names, il_map_set *set, il_error *err);
 
 /* Give all rows as one line. */

@@ -7,7 +7,8 @@
  * the form has no other, every one a feature with its height in `elev`.
  * FORM: geojson (a collection with as many decimals as a double has, as GDAL writes
  * it, the default), geojsonseq (a feature a line, 7 decimals), dxf (LWPOLYLINE), kml, gpx
- * (lines with z), all as GDAL writes them; shp (PolyLineZ, which needs no table for its
+ * (lines with z), gmt (a segment a line), wkt (a table, a row a line), all as GDAL writes
+ * them; xyz (a table, a row a point), bln; shp (PolyLineZ, which needs no table for its
  * heights). */
 #include "config.h"
 
@@ -23,25 +24,30 @@ static const double TURN = 6.283185307179586, APART = 5000, DEGREES = 1e-5;
 
 /* What stands before and behind all features and between two of them, before and
  * behind the height, between two points and behind the last; and how a point is: x, y
- * and height. */
+ * and height.  COUNTS: the number of points stands before it all; FEATURE is null where
+ * the height stands with the points only. */
 static const struct form {
     const char *name, *begin, *between, *end, *feature, *lines, *comma, *tail, *point;
-    bool is_degrees;
+    bool is_degrees, counts;
 } forms[] = {
     { "geojson", "{\n\"type\": \"FeatureCollection\",\n\"name\": \"contour\",\n\"features\": [\n", ",\n", "\n]\n}\n",
       "{ \"type\": \"Feature\", \"properties\": { \"ID\": 0, \"elev\": ",
-      " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.15g, %.15g ]", false },
+      " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.15g, %.15g ]", false, false },
     { "geojsonseq", "", "\n", "\n", "{ \"type\": \"Feature\", \"properties\": { \"ID\": 0, \"elev\": ",
-      " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.7f, %.7f ]", false },
+      " }, \"geometry\": { \"type\": \"LineString\", \"coordinates\": [ ", ", ", " ] } }", "[ %.7f, %.7f ]", false, false },
     { "dxf", "  0\nSECTION\n  2\nENTITIES\n", "", "  0\nENDSEC\n  0\nEOF\n",
-      "  0\nLWPOLYLINE\n  8\nCONTOURS\n 70\n0\n 38\n", "\n", "", "", " 10\n%.15g\n 20\n%.15g\n", false },
+      "  0\nLWPOLYLINE\n  8\nCONTOURS\n 70\n0\n 38\n", "\n", "", "", " 10\n%.15g\n 20\n%.15g\n", false, false },
     { "kml", "<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n", "\n",
       "\n</Document></kml>\n", "<Placemark>\n<ExtendedData><SchemaData schemaUrl=\"#contour\"><SimpleData name=\"elev\">",
       "</SimpleData></SchemaData></ExtendedData>\n<LineString><altitudeMode>absolute</altitudeMode><coordinates>", " ",
-      "</coordinates></LineString></Placemark>", "%.15g,%.15g,%d", true },
+      "</coordinates></LineString></Placemark>", "%.15g,%.15g,%d", true, false },
     { "gpx", "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\" xmlns=\"http://www.topografix.com/GPX/1/1\">\n", "\n", "\n</gpx>\n",
       "<trk>\n  <extensions>\n    <ogr:elev>", "</ogr:elev>\n  </extensions>\n  <trkseg>\n", "\n", "\n  </trkseg>\n</trk>",
-      "    <trkpt lat=\"%2$.17g\" lon=\"%1$.17g\">\n      <ele>%3$d</ele>\n    </trkpt>", true },
+      "    <trkpt lat=\"%2$.17g\" lon=\"%1$.17g\">\n      <ele>%3$d</ele>\n    </trkpt>", true, false },
+    { "gmt", "", "", "", "> -Z", "\n", "\n", "\n", "%.15g %.15g", false, false },
+    { "wkt", "ID,elev,WKT\n", "", "", "0,", ",\"LINESTRING (", ",", ")\"\n", "%.15g %.15g", false, false },
+    { "xyz", "x,y,elev\n", "", "", NULL, "", "\n", "\n", "%.15g,%.15g,%d.0", false, false },
+    { "bln", "", "", "", ",1,", "\n", "\n", "\n", "%.15g,%.15g", false, true },
 };
 enum { N_FORMS = sizeof forms / sizeof *forms };
 
@@ -75,7 +81,10 @@ static void put_text(const struct form *f, int hills, int levels, int points)
     for (int hill = 0; hill < hills; hill++) {
         for (int level = 0; level < levels; level++) {
             fputs(hill + level > 0 ? f->between : "", stdout);
-            printf("%s%d.0%s", f->feature, INTERVAL * level, f->lines);
+            if (f->counts)
+                printf("%d", points);
+            if (f->feature)
+                printf("%s%d.0%s", f->feature, INTERVAL * level, f->lines);
             put_line(f, hill, level, levels, points);
             fputs(f->tail, stdout);
         }

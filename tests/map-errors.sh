@@ -97,7 +97,7 @@ none "a track: refused with that word"
 # A point a line, as other programs write spot heights.
 points() {
     tr ' ' '\n' <$unit.lines | grep , | awk '{ print 100 + NR % 7 " " $1 }' | map_as "$form" $unit >"$form.map"
-    judge "$form.map" "no isolines"
+    judge "$form.map" "no \(iso\)\{0,1\}lines"
 }
 each_form points >wrong
 none "points by themselves: refused with that word"

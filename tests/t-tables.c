@@ -137,7 +137,7 @@ static const struct { const char *format, *text; } heads[] = {
     { "csv", "\"Point_X\",\"Point_Y\",\"Elev\"\n1,2,3\n" }, { "csv", "5,0,7\n6,0,7\n8,0,7\n" },
     { "bln", "2,1\n0,0\n1,1\n" }, { "bln", "2 1\n0 0\n1 1\n" }, { "bln", "2,1,\"5\"\n0,0\n1,1\n2,1,\"6\"\n0,0\n1,1\n" },
     { "bln", "2,0,5\n0,0\n1,1\n" }, { "bln", "3,1,\"5\"\n0,0\n1,1\n" }, { "bln", "\n2,1\n\n0,0,5\n1,1,5\n" },
-    { "", "  0\nSECTION\n  2\nHEADER\n" }, { "", "solid a\nfacet normal 0 0 1\n" }, { "", "v 0 0 0\nv 1 0 0\nf 1 2 3\n" },
+    { "dxf", "  0\nSECTION\n  2\nHEADER\n" }, { "", "solid a\nfacet normal 0 0 1\n" }, { "", "v 0 0 0\nv 1 0 0\nf 1 2 3\n" },
     { "", "ply\nformat ascii 1.0\nelement vertex 3\n" }, { "", "OFF\n8 6 12\n0 0 0\n" }, { "", "" }, { "", "\n\n" },
     { "", "12\n13\n14\n" },
     { "", ">sp|P1 a protein\nMKVL\n" }, { "", "name,elev\na,10\nb,20\n" }, { "", "1,2,3,4\n5,6,7,8\n" },

@@ -18,6 +18,7 @@ gpx
 json
 keyhole
 kml
+lines
 loft
 mesh
 shp

@@ -79,7 +79,7 @@ starve "so does the list of a structure set" "$ISOLOFT" --list --roi '[VE]*' "$s
 starve "and a tilted one, turned" "$ISOLOFT" "$srcdir/formats/dcmdump/valid/v_tilted.txt" --ras -o box/t.stl
 printf 'isoloft 1\nunit m\nstack "hill"\nkind terrain\nslice 5\nline\n0 0\n1 0\n2 0\nline\n1 0\n2 0\n3 0\nline\n3.5 0\n9 0\nline\n7 7\nring\n0 5\n1 5\n1 6\nend\n' >lines.loft
 starve "so do isolines, joined" "$ISOLOFT" read lines.loft --join 1 -o box/l.loft
-starve "and described" "$ISOLOFT" info lines.loft --json
+starve "and described" "$ISOLOFT" info lines.loft
 starve "so does check of a mesh" "$ISOLOFT" check block.ply
 starve "so does check of a stream" "$ISOLOFT" check block.loft
 exits 5 "out of memory is exit 5" env ISOLOFT_TEST_ALLOC=0 "$ISOLOFT" block.loft

@@ -27,7 +27,7 @@ typedef enum il_repair {
     IL_REPAIR_THICKENED_SLICE,  /* a slice that nothing is joined to, given a thickness */
     IL_REPAIR_ROUNDED_POINT,    /* coordinates rounded to 32-bit floats (STL) */
     IL_REPAIR_POINT_LINE,       /* lines of terrain with a single point, dropped; the first that solids have not */
-    IL_REPAIR_SPIKE,            /* places where a line goes and comes back over the same edges, dropped */
+    IL_REPAIR_SPIKE,            /* edges over which a line goes and comes back at once, dropped */
     IL_REPAIR_DUPLICATE_LINE,   /* lines of which every edge is in others, dropped */
     IL_REPAIR_SHARED_EDGE,      /* edges that were there already, dropped */
     IL_REPAIR_JOINED_LINE,      /* joints of ends that coincide */

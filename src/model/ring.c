@@ -155,9 +155,9 @@ static bool has_spike(const il_ring *r)
 }
 
 /* Spikes around the first vertex of a ring that has no others. */
-static size_t drop_spikes_at_start(il_ring *r)
+static void drop_spikes_at_start(il_ring *r)
 {
-    size_t first = 0, before = r->n, n = r->n;
+    size_t first = 0, n = r->n;
     while (n > 2 && (same_point(r, first + n - 2, first) || same_point(r, first + 1, first + n - 1))) {
         if (same_point(r, first + n - 2, first)) {
             if (r->mark)
@@ -172,26 +172,23 @@ static size_t drop_spikes_at_start(il_ring *r)
     for (size_t i = 0; i < n; i++)
         move_vertex(r, i, first + i);
     r->n = n;
-    return n < before;
 }
 
 size_t il_ring_drop_spikes(il_ring *r)
 {
-    size_t n = 0, n_spikes = 0;
-    bool back = false; /* the vertex before was one of a spike's way back */
+    size_t n = 0, before = r->n;
     if (!has_spike(r))
         return 0;
     for (size_t i = 0; i < r->n; i++) {
-        bool meets = n > 1 && same_point(r, i, n - 2);
-        n_spikes += meets && !back;
-        back = meets;
-        if (meets)
+        if (n > 1 && same_point(r, i, n - 2))
             join_marks(r, --n - 1, i);
         else
             move_vertex(r, n++, i);
     }
     r->n = n;
-    return n_spikes + (r->open ? 0 : drop_spikes_at_start(r));
+    if (!r->open)
+        drop_spikes_at_start(r);
+    return (before - r->n) / 2;
 }
 
 bool il_extra_add(il_extra **list, const char *text, size_t n)

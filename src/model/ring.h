@@ -56,8 +56,8 @@ void il_ring_rotate(il_ring *r, size_t k);
 size_t il_ring_drop_repeated(il_ring *r);
 
 /* Drop where R, without repeated vertices, goes and comes back over the same edges:
- * of ... a b c b d ... is left a b d.  How many such places; marks as above.  A ring may
- * be left with fewer than three vertices, an open line has its two ends. */
+ * of ... a b c b d ... is left a b d.  How many edges were gone over twice; marks as
+ * above.  A ring may be left with two vertices, an open line has its two ends. */
 size_t il_ring_drop_spikes(il_ring *r);
 
 /* Lines that start with x-, kept in order for whoever understands them. */

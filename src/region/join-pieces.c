@@ -215,6 +215,7 @@ static bool cut_sharing(il_pieces *out, const il_slice *s, il_shared_edges *e, c
         if (!cut_line(out, &p, &n_dropped, report))
             return false;
         bool all = out->n == n_before;
+        out->n_lines += p.ring->open && !all;
         il_report_repair(report, all ? IL_REPAIR_DUPLICATE_LINE : IL_REPAIR_SHARED_EDGE, all ? 1 : n_dropped);
     }
     return true;
@@ -228,7 +229,9 @@ il_status il_pieces_cut(il_pieces *out, const il_slice *s, il_shared_edges *e, i
     size_t n = 0;
     for (uint32_t l = 0; l < s->n && ok; l++) {
         const il_ring *r = &s->ring[l];
-        if (e->of && e->of[l])
+        bool shares = e->of && e->of[l];
+        out->n_lines += r->open && !shares;
+        if (shares)
             c[n++] = candidate_of(r, l);
         else
             ok = append(out, &(il_piece){ .line = l, .n = r->n, .whole = true, .closed = !r->open });

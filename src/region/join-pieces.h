@@ -18,12 +18,13 @@ typedef struct il_piece {
     size_t from, n;
 } il_piece;
 
+/* n_lines: open lines of which a piece is left. */
 typedef struct il_pieces {
     il_piece *piece;
-    size_t n, cap;
+    size_t n, cap, n_lines;
 } il_pieces;
 
-#define IL_PIECES_INIT { NULL, 0, 0 }
+#define IL_PIECES_INIT { NULL, 0, 0, 0 }
 
 /* Cut the lines of S, whose shared edges are E (may have none).  Lines and edges that
  * are left out are counted into REPORT (may be null).  O(n), and O(m log m) for m

@@ -129,26 +129,12 @@ static il_status bridge_gaps(level *l, double distance, size_t *n, double *large
     return st;
 }
 
-/* Which vertex of its line an end of P is. */
-static size_t vertex_at(const level *l, const il_piece *p, bool last)
+/* Each joint leaves an open line less.  What was cut for shared stretches is put together
+ * again first, or ends in knots, and is none. */
+static size_t count_joints(const level *l, size_t n_bridged)
 {
-    size_t n = l->slice->ring[p->line].n, v = last ? p->from + p->n - 1 : p->from;
-    return v < n ? v : v - n;
-}
-
-/* Pairs of ends that are joined and were one vertex of one line before it was cut for
- * what others share with it. */
-static size_t count_rejoined(const level *l)
-{
-    size_t n = 0;
-    for (uint32_t e = 0; e < l->ends.n; e++) {
-        uint32_t f = l->ends.partner[e];
-        if (f == IL_NO_END || f < e)
-            continue;
-        const il_piece *p = &l->pieces.piece[l->open_piece[e / 2]], *q = &l->pieces.piece[l->open_piece[f / 2]];
-        n += p->line == q->line && vertex_at(l, p, e & 1) == vertex_at(l, q, f & 1);
-    }
-    return n;
+    size_t n_left = l->n_open - l->ends.n_joined, n_gone = l->pieces.n_lines > n_left ? l->pieces.n_lines - n_left : 0;
+    return n_gone > n_bridged ? n_gone - n_bridged : 0;
 }
 
 static il_status join_ends(level *l, const il_join_options *o, il_report *report, double *largest, il_error *err)
@@ -162,7 +148,7 @@ static il_status join_ends(level *l, const il_join_options *o, il_report *report
     if (o->distance > 0)
         st = bridge_gaps(l, o->distance, &n_bridged, largest, err);
     il_report_repair(report, IL_REPAIR_BRIDGED_GAP, n_bridged);
-    il_report_repair(report, IL_REPAIR_JOINED_LINE, l->ends.n_joined - n_bridged - count_rejoined(l));
+    il_report_repair(report, IL_REPAIR_JOINED_LINE, count_joints(l, n_bridged));
     il_report_repair(report, IL_REPAIR_KNOT, il_ends_knots(&l->ends));
     return st;
 }

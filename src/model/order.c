@@ -1,6 +1,8 @@
 #include "config.h"
 #include "model/order.h"
+#include "base/alloc.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static size_t wrapped(size_t i, size_t n)
@@ -66,16 +68,58 @@ bool il_slice_in_order(const il_slice *s)
     return true;
 }
 
+/* first: vertex 0, which mostly decides, so that sorting seldom looks at the rings, which lie all over
+ * the memory. */
+typedef struct sort_key {
+    bool open;
+    double first[2];
+    il_ring_order order;
+} sort_key;
+
+static int compare_keys(const void *va, const void *vb)
+{
+    const sort_key *a = va, *b = vb;
+    if (a->open != b->open)
+        return a->open ? 1 : -1;
+    int c = il_vertex_compare(a->first, b->first);
+    return c != 0 ? c : il_ring_order_compare(&a->order, &b->order);
+}
+
+/* KEY and SORTED have room for all rings. */
+static void sort_rings(il_slice *s, sort_key *key, il_ring *sorted)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        const il_ring *r = &s->ring[i];
+        key[i] = (sort_key){ r->open, { r->n > 0 ? r->xy[0] : -INFINITY, r->n > 0 ? r->xy[1] : 0 }, { r, 0, i } };
+    }
+    qsort(key, s->n, sizeof *key, compare_keys);
+    for (size_t i = 0; i < s->n; i++)
+        sorted[i] = s->ring[key[i].order.index];
+    il_free(s->ring);
+    s->ring = sorted;
+    s->cap = s->n;
+}
+
 static int compare_turned(const void *a, const void *b)
 {
     il_ring_order p = { a, 0, 0 }, q = { b, 0, 0 };
     return il_ring_order_compare(&p, &q);
 }
 
+/* Without memory it takes longer. */
 void il_slice_put_in_order(il_slice *s)
 {
     for (size_t i = 0; i < s->n; i++)
         il_ring_rotate(&s->ring[i], il_ring_first(&s->ring[i]));
-    if (s->n > 1)
+    if (s->n < 2)
+        return;
+    sort_key *key = il_alloc(s->n, sizeof *key);
+    il_ring *sorted = il_alloc(s->n, sizeof *sorted);
+    if (key && sorted) {
+        sort_rings(s, key, sorted);
+    } else {
+        il_free(sorted);
         qsort(s->ring, s->n, sizeof *s->ring, compare_turned);
+    }
+    il_free(key);
 }

@@ -259,6 +259,23 @@ static void structure_sets_come_in_the_patients_coordinates(void **state)
     il_solids_free(&s);
 }
 
+static void terrain_is_refused_in_one_sentence(void **state)
+{
+    (void)state;
+    static const char hill[] = "isoloft 1\nunit m\nstack \"hill\"\nkind terrain\nslice 0\nline\n0 0\n9 0\nline\n9 0\n9 9\nend\n";
+    static const char map[] = "{\"type\":\"LineString\",\"coordinates\":[[0,500,7],[900,500,7],[900,900,7]]}"
+                              "{\"type\":\"LineString\",\"coordinates\":[[0,50,8],[900,50,8],[900,90,8]]}";
+    const char *const texts[] = { hill, map };
+    for (size_t k = 0; k < 2; k++) {
+        il_from from = from_text(texts[k]);
+        il_blob b = IL_BLOB_INIT;
+        il_error err = IL_ERROR_INIT;
+        assert_int_equal(il_loft(&from, &(il_to){ .bytes = &b }, NULL, &err), IL_E_INPUT);
+        assert_non_null(strstr(err.text, "is terrain, of which this version makes no surface yet"));
+        assert_null(b.data);
+    }
+}
+
 static void collect(void *self, const char *sentence)
 {
     char *all = self;
@@ -349,6 +366,7 @@ int main(void)
         cmocka_unit_test(numbers_that_are_none_are_refused),
         cmocka_unit_test(nothing_in_gives_nothing_out),
         cmocka_unit_test(structure_sets_come_in_the_patients_coordinates),
+        cmocka_unit_test(terrain_is_refused_in_one_sentence),
         cmocka_unit_test(repairs_are_told),
         cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(calls_at_the_same_time_are_safe),

@@ -127,8 +127,7 @@ static const char *format_of(const char *text, size_t n)
 
 static const struct { const char *format, *text; } heads[] = {
     { "gmt", "> -Z100\n0 0\n1 0\n" }, { "gmt", ">\n0,0\n1,0\n" }, { "gmt", "# a\nx y\n> 5\n1\t2\t5\n" },
-    { "gmt", "1 2 5\n3 4 5\n" }, { "gmt", "1\t2\t5\r\n3\t4\t5\r\n" }, { "gmt", "0 0\nNaN NaN\n1 1\n" }, { "gmt",
-        "0 0 5\n1 1 5\n> -Z5\n" },
+    { "gmt", "1 2 5\n3 4 5\n" }, { "gmt", "1\t2\t5\r\n3\t4\t5\r\n" }, { "gmt", "0 0\nNaN NaN\n1 1\n" }, { "gmt", "0 0 5\n1 1 5\n> -Z5\n" },
     { "gmt", "# @VGMT1.0 @GMULTIPOLYGON\n# @Nelev\n" }, { "gmt", ">\n3:00:00E 45:30N\n" }, { "gmt", "\xef\xbb\xbf> a\n1 2\n" },
     { "csv", "WKT,elev\n\"LINESTRING (0 0,1 1)\",5\n" }, { "csv", "LINESTRING Z (0 0 5, 1 1 5)\n" }, { "csv", "elev;geom\n5;\n" },
     { "csv", "a\tb\n5\tPOLYGON ((0 0,1 1,1 0))\n" }, { "csv", "x,y,z\n0,0,5\n" }, { "csv", "x y z\n0 0 5\n1 0 5\n" },
@@ -138,8 +137,7 @@ static const struct { const char *format, *text; } heads[] = {
     { "bln", "2,1\n0,0\n1,1\n" }, { "bln", "2 1\n0 0\n1 1\n" }, { "bln", "2,1,\"5\"\n0,0\n1,1\n2,1,\"6\"\n0,0\n1,1\n" },
     { "bln", "2,0,5\n0,0\n1,1\n" }, { "bln", "3,1,\"5\"\n0,0\n1,1\n" }, { "bln", "\n2,1\n\n0,0,5\n1,1,5\n" },
     { "dxf", "  0\nSECTION\n  2\nHEADER\n" }, { "", "solid a\nfacet normal 0 0 1\n" }, { "", "v 0 0 0\nv 1 0 0\nf 1 2 3\n" },
-    { "", "ply\nformat ascii 1.0\nelement vertex 3\n" }, { "", "OFF\n8 6 12\n0 0 0\n" }, { "", "" }, { "", "\n\n" },
-    { "", "12\n13\n14\n" },
+    { "", "ply\nformat ascii 1.0\nelement vertex 3\n" }, { "", "OFF\n8 6 12\n0 0 0\n" }, { "", "" }, { "", "\n\n" }, { "", "12\n13\n14\n" },
     { "", ">sp|P1 a protein\nMKVL\n" }, { "", "name,elev\na,10\nb,20\n" }, { "", "1,2,3,4\n5,6,7,8\n" },
     { "", "> quoted\n> text\nof mail\n" },
     { "", "ncols 4\nnrows 4\nxllcorner 0\n1 2 3 4\n" }, { "", "a sentence, and another one; with | and more\nthe end\n" },
@@ -286,7 +284,7 @@ static void a_line_ends_where_it_is_closed(void **state)
     assert_read(&il_reader_csv, "x,y,z\n0,0,5\n9,0,5\n9,9,5\n0,0,5\n1,1,5\n2,1,5\n0,0,6\n0,0,6\n0,9,6\n9,9,6\n0,0,6\n",
                 "5: ring 0 0 9 0 9 9 line 1 1 2 1\n6: ring 0 0 0 0 0 9 9 9\n");
     assert_read(&il_reader_csv, "x,y,z\n0,0,5\n9,0,5\n0,0,5\n9,9,5\n9,8,5\n0,0,6\n1,0,6\n",
-        "5: line 0 0 9 0 0 0 9 9 9 8\n6: line 0 0 1 0\n");
+                "5: line 0 0 9 0 0 0 9 9 9 8\n6: line 0 0 1 0\n");
 }
 
 static void numbers_of_lines_divide_and_nothing_else_does(void **state)
@@ -329,13 +327,13 @@ static void lines_of_text_are_those_of_the_file(void **state)
 {
     (void)state;
     assert_refused(&il_reader_csv, "# a\n\nWKT,elev\n\"LINESTRING (0 0,\n1 1,\n2 x)\",5\n", 6,
-        "'x)' stands in the WKT where a number should be");
+                   "'x)' stands in the WKT where a number should be");
     assert_refused(&il_reader_csv, "a,WKT\n\"b\nc\n\",\"LINESTRING (0 0,\n1e15 1)\"\n", 5, "a coordinate is not below 1e15");
     assert_refused(&il_reader_csv, "x,y,z\n0,0,5\nNo,0,5\n\n1,0,5\n1e16,0,5\n0,0,6\n1,1,6\n", 6, "a coordinate is not below 1e15");
     assert_refused(&il_reader_gmt, "0 0 5\n\n1 1 5\nNaN NaN\n1e16 0 5\n", 5, "a coordinate is not below 1e15");
     assert_refused(&il_reader_gmt, "\n# a\n> -Z5\n1 1\nb\n", 5, "'b' is no row: it begins with two numbers, x and y");
     assert_refused(&il_reader_bln, "\n2,1\n1,1\n\n2\n", 5,
-        "'2' is no point, x,y or x,y,z; it should be number 2 of the 2 points that line 2 says");
+                   "'2' is no point, x,y or x,y,z; it should be number 2 of the 2 points that line 2 says");
 }
 
 static void limits_hold(void **state)
@@ -394,8 +392,8 @@ static void assert_survives(const il_reader *reader, const char *text)
 static void every_failing_allocation_is_survived(void **state)
 {
     (void)state;
-    assert_survives(&il_reader_gmt, "# @VGMT1.0 @GPOLYGON @Je27700\n# @Nname|elev\n>\n# @D\"a\"|5\n0 0\n9 0\n9 9\n"
-                     ">\n# @Db|6\n1 1\n2 1\n2 2\n");
+    assert_survives(&il_reader_gmt, "# @VGMT1.0 @GPOLYGON @Je27700\n# @Nname|elev\n"
+                                    ">\n# @D\"a\"|5\n0 0\n9 0\n9 9\n>\n# @Db|6\n1 1\n2 1\n2 2\n");
     assert_survives(&il_reader_gmt, "0 0 5\n9 0 5\n9 9 5\n0 0 6\n9 0 6\n");
     assert_survives(&il_reader_csv, "elev,geom,note\n5,\"LINESTRING (0 0,\n9 0,9 9)\",\"a\"\"b\"\n6,SRID=27700;POLYGON((0 0,1 1,1 0)),b\n");
     assert_survives(&il_reader_csv, "# line x y elev\na 0 0 5\na 9 0 5\na 9 9 5\nb 0 0 6\nb 9 0 6\n");

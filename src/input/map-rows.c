@@ -148,7 +148,7 @@ static il_status refuse_points(const il_map_rows *r, il_error *err)
         n += (r->run[k].news & IL_MAP_ROWS_HEIGHT) != 0;
     if (n <= r->n / 2 || n < 2)
         return IL_OK;
-    return il_fail(err, IL_E_INPUT, r->run[0].line, "its points are no lines: the height changes %zu times in %zu rows, as in scattered "
+    return il_fail(err, IL_E_INPUT, r->run[0].line, "has no isolines: the height changes %zu times in %zu rows, as in scattered "
                    "points or a grid (gdal_contour makes isolines of a grid)", n - 1, r->n);
 }
 

@@ -206,7 +206,8 @@ static const char *heights(const char *text)
 static void an_attribute_of_a_usual_name_is_the_height(void **state)
 {
     static const char *const names[] = { "elev", "ELEV", "Elevation", "ele", "HEIGHT", "contour", "Level", "z", "alt", "hoogte",
-        "depth_m", "contour_elevation", "Elev_Meters", "height (m)", "CONTOUR_M", "H\xC3\xB6he", "ContourElevation", "CONTOURELE", "PROP_VALUE" };
+        "depth_m", "contour_elevation", "Elev_Meters", "height (m)", "CONTOUR_M", "H\xC3\xB6he",
+        "ContourElevation", "CONTOURELE", "PROP_VALUE" };
     (void)state;
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         char text[200];
@@ -541,6 +542,48 @@ static void polygons_of_one_height_lose_the_borders_between_them(void **state)
     assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_RING], 1);
 }
 
+/* ---- sheets that overlap ------------------------------------------------------------ */
+
+#define OTHER " f a elev 9 line 0 90 60 90"
+
+/* One sheet ends at x = 35, the other begins at x = 15; both hold the vertices 20 and 30. */
+static void ends_on_an_edge_of_another_sheet_are_taken_off(void **state)
+{
+    (void)state;
+    const char *west = "f a elev 5 line 0 0 10 5 20 0 30 5 35 2.5" OTHER, *east = "f a elev 5 line 15 2.5 20 0 30 5 40 0 50 5";
+    const char *const files[] = { west, east, NULL }, *const back[] = { east, west, NULL };
+    assert_contains(run(files, &defaults), "slice 5\nline\n0 0\n10 5\n20 0\n30 5\nline\n20 0\n30 5\n40 0\n50 5\n");
+    assert_int_equal(report.repair[IL_REPAIR_SHARED_EDGE], 2);
+    char first[400];
+    snprintf(first, sizeof first, "%s", output);
+    assert_string_equal(run(back, &defaults), first);
+}
+
+static void ends_beside_an_edge_stay(void **state)
+{
+    (void)state;
+    /* Beside the edge, beyond it, at its end, back from its vertex, of another level. */
+    static const char *const lines[] = { "f a elev 5 line 0 40 20 0 25 2.51", "f a elev 5 line 0 40 20 0 40 10",
+        "f a elev 5 line 0 40 20 0 30 5", "f a elev 5 line 0 40 30 5 40 10", "f a elev 6 line 0 40 20 0 25 2.5" };
+    for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
+        char text[200];
+        snprintf(text, sizeof text, "f a elev 5 line 20 0 30 5 30 60 %s" OTHER, lines[k]);
+        read_map(text, NULL);
+        assert_int_equal(report.repair[IL_REPAIR_SHARED_EDGE], 0);
+        assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_LINE], 0);
+    }
+}
+
+static void lines_within_edges_are_dropped(void **state)
+{
+    (void)state;
+    const char *text = "f a elev 5 line 20 0 30 5 30 60 f a elev 5 line 20 0 22 1 f a elev 5 line 29 4.5 30 5 30 7" OTHER;
+    assert_contains(read_map(text, NULL), "slice 5\nline\n20 0\n30 5\n30 60\nslice 9");
+    assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_LINE], 2);
+    /* An outline drawn on beyond its beginning. */
+    assert_contains(read_map("f a elev 5 line 0 0 9 0 9 9 0 0 4 0" OTHER, NULL), "slice 5\nline\n0 0\n9 0\n9 9\n0 0\n");
+}
+
 /* ---- long edges ------------------------------------------------------------------- */
 
 static void long_edges_get_vertices_of_their_own(void **state)
@@ -593,6 +636,9 @@ int main(void)
         cmocka_unit_test(bands_that_are_no_neighbours_meet_in_a_cliff),
         cmocka_unit_test(one_height_for_each_band_is_too_little),
         cmocka_unit_test(polygons_of_one_height_lose_the_borders_between_them),
+        cmocka_unit_test(ends_on_an_edge_of_another_sheet_are_taken_off),
+        cmocka_unit_test(ends_beside_an_edge_stay),
+        cmocka_unit_test(lines_within_edges_are_dropped),
         cmocka_unit_test(long_edges_get_vertices_of_their_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,6 +6,7 @@
  *     map-degrees  whether x and y are degrees; one run of longitudes
  *     map-borders  polygons become the lines between them
  *     map-units    heights in the unit of the stack, levels that are one made one
+ *     map-trim     ends that lie on an edge of another line
  *     map-plane    which projection
  *     map-project  degrees to metres
  *     map-stack    by level, to the sink */

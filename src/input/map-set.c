@@ -7,6 +7,7 @@
 #include "input/map-heights.h"
 #include "input/map-project.h"
 #include "input/map-stack.h"
+#include "input/map-trim.h"
 #include "input/map-units.h"
 
 #include <math.h>
@@ -315,6 +316,8 @@ static il_status make_stack(il_map *m, il_sink *sink, il_error *err)
         st = il_map_find_borders(m, err);
     if (st == IL_OK)
         st = il_map_settle_units(m, err);
+    if (st == IL_OK)
+        st = il_map_trim(m, err);
     if (st == IL_OK)
         st = il_map_project(m, err);
     if (st != IL_OK)

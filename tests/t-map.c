@@ -206,7 +206,8 @@ static const char *heights(const char *text)
 static void an_attribute_of_a_usual_name_is_the_height(void **state)
 {
     static const char *const names[] = { "elev", "ELEV", "Elevation", "ele", "HEIGHT", "contour", "Level", "z", "alt", "hoogte",
-        "depth_m", "contour_elevation", "Elev_Meters", "height (m)", "CONTOUR_M", "H\xC3\xB6he", "ContourElevation", "PROP_VALUE" };
+        "depth_m", "contour_elevation", "Elev_Meters", "height (m)", "CONTOUR_M", "H\xC3\xB6he",
+        "ContourElevation", "CONTOURELE", "PROP_VALUE" };
     (void)state;
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         char text[200];
@@ -260,6 +261,39 @@ static void height_names_an_attribute(void **state)
     assert_contains(read_map(TWO("a elev 1", "a elev 2"), &o), "no feature has 'Class' (--height); attributes: elev");
     o.map.height = "z";
     assert_string_equal(heights(read_map("f a elev 5 line3 0 0 1 90 0 1 f a elev 6 line3 0 50 2 90 50 2", &o)), " 1 2");
+    assert_contains(read_map(TWO("a elev 1", "a elev 2"), &o), "no point has a 'z' coordinate (--height); attributes: elev");
+    o.map.height = "from,to";
+    assert_contains(read_map(TWO("a from 1 a to 2", "a from 2 a to 3"), &o),
+                    "has no bands: no polygon has its two heights in the attributes 'from' and 'to'");
+}
+
+static void a_height_may_stand_behind_many_others(void **state)
+{
+    (void)state;
+    char text[20000] = "";
+    size_t n = 0;
+    for (int f = 1; f <= 2; f++) {
+        n += (size_t)snprintf(text + n, sizeof text - n, "f ");
+        for (int k = 0; k < 300; k++)
+            n += (size_t)snprintf(text + n, sizeof text - n, "a name%d 7 ", k);
+        n += (size_t)snprintf(text + n, sizeof text - n, "a elev %d0 line 100 %d 200 %d ", f, f, f);
+    }
+    assert_string_equal(heights(read_map(text, NULL)), " 10 20");
+    for (char *p = strstr(text, "elev"); p; p = strstr(p, "elev"))
+        memcpy(p, "eleW", 4);
+    assert_contains(read_map(text, NULL), " and many more (--height NAME names one)");
+}
+
+static void files_may_spell_an_attribute_differently(void **state)
+{
+    (void)state;
+    const char *const files[] = { "f a elev 10 line 100 0 200 0", "f a ELEV 20 line 100 50 200 50", "f a Elev 30 line 9 5 2 5", NULL };
+    assert_string_equal(heights(run(files, &defaults)), " 10 20 30");
+    assert_int_equal(report.n_skipped, 0);
+    /* In one file they are two. */
+    assert_string_equal(heights(read_map(TWO("a elev 1 a ELEV 7", "a ELEV 8 a elev 2"), NULL)), " 1 2");
+    const char *const both[] = { "f a elev 1 line 100 0 200 0", "f a elev 2 a ELEV 7 line 100 50 200 50", NULL };
+    assert_string_equal(heights(run(both, &defaults)), " 1 2");
 }
 
 static void lines_without_a_height_are_left_out_and_counted(void **state)
@@ -354,6 +388,10 @@ static void degrees_are_believed_where_they_can_be(void **state)
     assert_contains(read_map(text, NULL), "crs \"EPSG:32632\"");
     snprintf(text, sizeof text, "degrees %s", here);
     assert_contains(read_map(text, NULL), "crs \"EPSG:32632\"");
+    snprintf(text, sizeof text, "crs EPSG:4807 %s", here);
+    assert_contains(read_map(text, NULL), "crs \"EPSG:32632\"");
+    assert_noted("the coordinate system 'EPSG:4807' is not known here; numbers and relief are those of degrees");
+    assert_noted("the ellipsoid of 'EPSG:4807' is not known here: WGS 84 is taken");
     snprintf(text, sizeof text, "crs EPSG:4326 %s", far);
     assert_contains(read_map(text, NULL), "line\n100 0\n200 0\n");
     assert_contains(read_map("crs 'GEOGCS[\"x\",UNIT[\"grad\",0.0157079632679489]]' f a elev 1 line 9 50 9 51", NULL),
@@ -446,6 +484,7 @@ static void bands_have_lines_between_them(void **state)
     assert_string_equal(read_map(BANDS("elev_min", "elev_max"), NULL), expected);
     assert_string_equal(read_map(BANDS("ELEVMIN", "ELEVMAX"), NULL), expected);
     assert_string_equal(read_map(BANDS("min", "max"), NULL), expected);
+    assert_string_equal(read_map(BANDS("emin", "emax"), NULL), expected);
     o.map.height = "a,b";
     assert_string_equal(read_map(BANDS("a", "b"), &o), expected);
     assert_noted("isolines are the 2 edges between two of them; 8 edges on the map's frame are none");
@@ -503,6 +542,48 @@ static void polygons_of_one_height_lose_the_borders_between_them(void **state)
     assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_RING], 1);
 }
 
+/* ---- sheets that overlap ------------------------------------------------------------ */
+
+#define OTHER " f a elev 9 line 0 90 60 90"
+
+/* One sheet ends at x = 35, the other begins at x = 15; both hold the vertices 20 and 30. */
+static void ends_on_an_edge_of_another_sheet_are_taken_off(void **state)
+{
+    (void)state;
+    const char *west = "f a elev 5 line 0 0 10 5 20 0 30 5 35 2.5" OTHER, *east = "f a elev 5 line 15 2.5 20 0 30 5 40 0 50 5";
+    const char *const files[] = { west, east, NULL }, *const back[] = { east, west, NULL };
+    assert_contains(run(files, &defaults), "slice 5\nline\n0 0\n10 5\n20 0\n30 5\nline\n20 0\n30 5\n40 0\n50 5\n");
+    assert_int_equal(report.repair[IL_REPAIR_SHARED_EDGE], 2);
+    char first[400];
+    snprintf(first, sizeof first, "%s", output);
+    assert_string_equal(run(back, &defaults), first);
+}
+
+static void ends_beside_an_edge_stay(void **state)
+{
+    (void)state;
+    /* Beside the edge, beyond it, at its end, back from its vertex, of another level. */
+    static const char *const lines[] = { "f a elev 5 line 0 40 20 0 25 2.51", "f a elev 5 line 0 40 20 0 40 10",
+        "f a elev 5 line 0 40 20 0 30 5", "f a elev 5 line 0 40 30 5 40 10", "f a elev 6 line 0 40 20 0 25 2.5" };
+    for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
+        char text[200];
+        snprintf(text, sizeof text, "f a elev 5 line 20 0 30 5 30 60 %s" OTHER, lines[k]);
+        read_map(text, NULL);
+        assert_int_equal(report.repair[IL_REPAIR_SHARED_EDGE], 0);
+        assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_LINE], 0);
+    }
+}
+
+static void lines_within_edges_are_dropped(void **state)
+{
+    (void)state;
+    const char *text = "f a elev 5 line 20 0 30 5 30 60 f a elev 5 line 20 0 22 1 f a elev 5 line 29 4.5 30 5 30 7" OTHER;
+    assert_contains(read_map(text, NULL), "slice 5\nline\n20 0\n30 5\n30 60\nslice 9");
+    assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_LINE], 2);
+    /* An outline drawn on beyond its beginning. */
+    assert_contains(read_map("f a elev 5 line 0 0 9 0 9 9 0 0 4 0" OTHER, NULL), "slice 5\nline\n0 0\n9 0\n9 9\n0 0\n");
+}
+
 /* ---- long edges ------------------------------------------------------------------- */
 
 static void long_edges_get_vertices_of_their_own(void **state)
@@ -533,6 +614,8 @@ int main(void)
         cmocka_unit_test(the_first_usual_name_that_tells_levels_apart_wins),
         cmocka_unit_test(z_comes_before_the_place_of_the_format),
         cmocka_unit_test(height_names_an_attribute),
+        cmocka_unit_test(a_height_may_stand_behind_many_others),
+        cmocka_unit_test(files_may_spell_an_attribute_differently),
         cmocka_unit_test(lines_without_a_height_are_left_out_and_counted),
         cmocka_unit_test(a_line_whose_height_varies_is_no_isoline),
         cmocka_unit_test(one_level_is_refused_unless_a_side_is_given),
@@ -553,6 +636,9 @@ int main(void)
         cmocka_unit_test(bands_that_are_no_neighbours_meet_in_a_cliff),
         cmocka_unit_test(one_height_for_each_band_is_too_little),
         cmocka_unit_test(polygons_of_one_height_lose_the_borders_between_them),
+        cmocka_unit_test(ends_on_an_edge_of_another_sheet_are_taken_off),
+        cmocka_unit_test(ends_beside_an_edge_stay),
+        cmocka_unit_test(lines_within_edges_are_dropped),
         cmocka_unit_test(long_edges_get_vertices_of_their_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

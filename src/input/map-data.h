@@ -6,6 +6,7 @@
  *     map-degrees  whether x and y are degrees; one run of longitudes
  *     map-borders  polygons become the lines between them
  *     map-units    heights in the unit of the stack, levels that are one made one
+ *     map-trim     ends that lie on an edge of another line
  *     map-plane    which projection
  *     map-project  degrees to metres
  *     map-stack    by level, to the sink */
@@ -35,11 +36,12 @@ typedef struct il_map_line {
 /* An attribute that features have.  value: a number a feature, NAN where it has
  * none, n of them, kept only if it is wanted.  n_numbers, n_texts: features with a
  * number, and with another text.  has_unit: numbers came with one ("10 ft");
- * mixed_units: not all with the same. */
+ * mixed_units: not all with the same.  file: the last in which it was spelt like this. */
 typedef struct il_map_column {
     char *name;
     bool is_place, wanted, has_unit, mixed_units;
     il_unit unit;
+    uint32_t file;
     double *value;
     size_t n, cap, n_numbers, n_texts;
 } il_map_column;
@@ -59,7 +61,8 @@ typedef struct il_map {
     il_map_line *line;
     size_t n_lines, cap_lines;
     il_map_column *column;
-    size_t n_columns, cap_columns, n_columns_dropped;
+    size_t n_columns, cap_columns, n_wanted;
+    bool more_columns;          /* than are kept */
     size_t n_features, n_files;
     const char **file;          /* borrowed names */
     char *crs;                  /* as the first file that says has it; null when none does */

@@ -160,8 +160,9 @@ static il_status decide(il_map *m, il_error *err)
     if (labelled && !m->degrees)
         tell_disbelief(m);
     else if (!labelled && m->degrees)
-        il_report_note(m->report, "no coordinate system given; numbers and relief are those of degrees, "
-                                  "so they are taken as such (--unit m: as metres)");
+        il_report_note(m->report, "%s%.60s%s; numbers and relief are those of degrees, so they are taken as such "
+                                  "(--unit m: as metres)", m->crs ? "the coordinate system '" : "no coordinate system given",
+                       m->crs ? m->crs : "", m->crs ? "' is not known here" : "");
     return IL_OK;
 }
 

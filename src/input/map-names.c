@@ -6,10 +6,11 @@
 enum { NAME_MOST = 64 };
 
 /* In order of rank.  DRVAL1 and DRVAL2, VALDCO: depths in charts of the IHO's S-57;
- * propvalue: Ordnance Survey. */
+ * contourele: as much of contourelevation as has room in a .dbf; propvalue: Ordnance Survey. */
 static const struct { const char *word; bool is_depth; } usual[] = {
     { "elev", false }, { "elevation", false }, { "ele", false }, { "height", false }, { "contour", false },
-    { "contourelevation", false }, { "level", false }, { "z", false }, { "alt", false }, { "altitude", false },
+    { "contourelevation", false }, { "contourele", false }, { "level", false }, { "z", false }, { "alt", false },
+    { "altitude", false },
     { "hoogte", false }, { "hoehe", false }, { "h\xC3\xB6he", false }, { "h\xC3\x96he", false }, { "cota", false },
     { "quota", false }, { "kote", false }, { "altitud", false }, { "propvalue", false }, { "propertyvalue", false },
     { "depth", true }, { "isobath", true }, { "valdco", true }, { "drval", true } };
@@ -22,7 +23,8 @@ static const struct { const char *word; il_unit unit; } units[] = {
 static const struct { const char *word; il_map_end end; } ends[] = {
     { "min", IL_MAP_END_LOW }, { "low", IL_MAP_END_LOW }, { "lower", IL_MAP_END_LOW }, { "from", IL_MAP_END_LOW },
     { "max", IL_MAP_END_HIGH }, { "high", IL_MAP_END_HIGH }, { "upper", IL_MAP_END_HIGH }, { "to", IL_MAP_END_HIGH },
-    { "1", IL_MAP_END_LOW }, { "2", IL_MAP_END_HIGH } };
+    { "1", IL_MAP_END_LOW }, { "2", IL_MAP_END_HIGH }, { "emin", IL_MAP_END_LOW }, { "emax", IL_MAP_END_HIGH },
+    { "amin", IL_MAP_END_LOW }, { "amax", IL_MAP_END_HIGH }, { "hmin", IL_MAP_END_LOW }, { "hmax", IL_MAP_END_HIGH } };
 
 static bool is_word(const char *s, size_t n, const char *word)
 {

@@ -154,6 +154,8 @@ static void tell(const il_map *m, const densify *d, const char *name)
 {
     char box[IL_MAP_BOX_MOST], stray[IL_NUMBER_MAX];
     il_report_note(m->report, "degrees from %s projected to metres: %s", il_map_box_words(m, box, sizeof box), name);
+    if (m->crs && !m->meaning.has_ellipsoid)
+        il_report_note(m->report, "the ellipsoid of '%.60s' is not known here: WGS 84 is taken", m->crs);
     if (d->n_inserted > 0)
         il_report_note(m->report, "%zu vertices put into long edges, which are straight between longitudes and latitudes: "
                        "none strays farther than %s m", d->n_inserted,
@@ -176,11 +178,11 @@ il_status il_map_project(il_map *m, il_error *err)
     char *crs = st == IL_OK ? il_strndup(name, strlen(name)) : NULL;
     if (st != IL_OK || !crs)
         return st != IL_OK ? st : il_fail_nomem(err);
+    tell(m, &d, name);
     il_free(m->crs);
     m->crs = crs;
     m->unit = IL_UNIT_M;
     m->is_projected = true;
     m->projection = p;
-    tell(m, &d, name);
     return IL_OK;
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 enum { LIST_MOST = 300, NAME_MOST = 40 };
 
@@ -22,7 +23,9 @@ static void list_attributes(const il_map *m, char *to, size_t size)
         il_text_append(to, size, "%s%.*s", shown == 0 ? "; attributes: " : ", ", NAME_MOST, m->column[k].name);
         shown++;
     }
-    if (shown < n)
+    if (m->more_columns)
+        il_text_append(to, size, " and many more");
+    else if (shown < n)
         il_text_append(to, size, " and %zu more", n - shown);
 }
 
@@ -41,8 +44,10 @@ il_status il_map_refuse_no_lines(const il_map *m, il_error *err)
 il_status il_map_refuse_name(const il_map *m, const char *name, il_error *err)
 {
     char list[LIST_MOST];
+    bool is_z = strcasecmp(name, "z") == 0;
     list_attributes(m, list, sizeof list);
-    il_fail(err, IL_E_INPUT, 0, "no feature has '%.60s' (--height)%s", name, list);
+    il_fail(err, IL_E_INPUT, 0, "no %s '%.60s'%s (--height)%s", is_z ? "point has a" : "feature has", name,
+            is_z ? " coordinate" : "", list);
     return name_file(m, NULL, err);
 }
 
@@ -65,6 +70,9 @@ il_status il_map_refuse_no_heights(const il_map *m, il_error *err)
         il_number_format(high, l->z_high);
         il_fail(err, IL_E_INPUT, l->line, "is no isoline but a track or profile: its height varies from %s to %s%s",
                 low, high, list);
+    } else if (m->place.kind == IL_MAP_BAND) {
+        il_fail(err, IL_E_INPUT, 0, "has no bands: no polygon has its two heights in the %s",
+                il_map_place_words(m, list, sizeof list));
     } else {
         il_fail(err, IL_E_INPUT, 0, "has no heights: no attribute of a usual name with numbers, no z%s%s",
                 *list ? list : " and no attributes at all", *list ? " (--height NAME names one)" : "");

@@ -7,13 +7,15 @@
 #include "input/map-heights.h"
 #include "input/map-project.h"
 #include "input/map-stack.h"
+#include "input/map-trim.h"
 #include "input/map-units.h"
 
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
-/* Names of attributes that are kept for the refusal that lists them; files of more
- * columns are tables of something else. */
+/* Names of attributes that are kept for the refusal that lists them, and, of others, those
+ * that may be heights; files of more columns are tables of something else. */
 enum { COLUMNS_MOST = 200 };
 
 /* now: what a parser is inside of.  guess: the column that likely comes next, as
@@ -110,27 +112,48 @@ static bool same_name(const char *a, const char *b, size_t n)
     return strlen(a) == n && memcmp(a, b, n) == 0; /* B may hold zero bytes */
 }
 
-/* The index of the column NAME, made when it is new; n_columns when it cannot be. */
-static size_t find_column(il_map_set *s, const char *name, size_t n, bool is_place)
+/* The column of an earlier file that NAME is but for its case: sheets of one map are not
+ * always spelt alike.  Within a file two spellings are two attributes. */
+static size_t find_spelt_otherwise(const il_map_set *s, const char *name, size_t n)
 {
-    il_map *m = &s->map;
+    const il_map *m = &s->map;
     for (size_t k = 0; k < m->n_columns; k++) {
-        size_t at = (s->guess + k) % m->n_columns;
-        if (m->column[at].is_place == is_place && same_name(m->column[at].name, name, n))
-            return at;
+        const il_map_column *c = &m->column[k];
+        if (c->wanted && !c->is_place && c->file < s->file && strlen(c->name) == n && strncasecmp(c->name, name, n) == 0)
+            return k;
     }
-    if (m->n_columns >= COLUMNS_MOST) {
-        m->n_columns_dropped++;
-        return m->n_columns;
-    }
+    return m->n_columns;
+}
+
+static il_status make_column(il_map *m, const char *name, size_t n, bool is_place, bool wanted, il_error *err)
+{
     char *copy = il_strndup(name, n);
     if (!copy || !il_grow(&m->column, &m->cap_columns, m->n_columns + 1, sizeof *m->column)) {
         il_free(copy);
-        return m->n_columns;
+        return il_fail_nomem(err);
     }
-    m->column[m->n_columns] = (il_map_column){
-        .name = copy, .is_place = is_place, .wanted = is_place || il_map_heights_wants(m->options, name, n) };
-    return m->n_columns++;
+    m->column[m->n_columns++] = (il_map_column){ .name = copy, .is_place = is_place, .wanted = wanted };
+    m->n_wanted += wanted;
+    return IL_OK;
+}
+
+/* *AT: the index of the column NAME, made when it is new; n_columns when there are too
+ * many. */
+static il_status find_column(il_map_set *s, const char *name, size_t n, bool is_place, size_t *at, il_error *err)
+{
+    il_map *m = &s->map;
+    for (size_t k = 0; k < m->n_columns; k++) {
+        *at = (s->guess + k) % m->n_columns;
+        if (m->column[*at].is_place == is_place && same_name(m->column[*at].name, name, n))
+            return IL_OK;
+    }
+    bool wanted = is_place || il_map_heights_wants(m->options, name, n);
+    *at = wanted && !is_place && s->file > 0 ? find_spelt_otherwise(s, name, n) : m->n_columns;
+    if (*at < m->n_columns)
+        return IL_OK;
+    bool full = (wanted ? m->n_wanted : m->n_columns - m->n_wanted) >= COLUMNS_MOST;
+    m->more_columns |= full;
+    return full ? IL_OK : make_column(m, name, n, is_place, wanted, err);
 }
 
 /* Give COLUMN the value of the feature at hand. */
@@ -163,10 +186,12 @@ static il_status take_value(il_map *m, il_map_column *c, const char *text, size_
 static il_status take(il_map_set *s, const char *name, size_t n_name, const char *text, size_t n, bool is_place, il_error *err)
 {
     il_map *m = &s->map;
-    size_t before = m->n_columns, k = find_column(s, name, n_name, is_place);
-    if (k == m->n_columns)
-        return before >= COLUMNS_MOST ? IL_OK : il_fail_nomem(err);
+    size_t k;
+    il_status st = find_column(s, name, n_name, is_place, &k, err);
+    if (st != IL_OK || k == m->n_columns)
+        return st;
     s->guess = k + 1;
+    m->column[k].file = same_name(m->column[k].name, name, n_name) ? s->file : m->column[k].file;
     return text && m->column[k].wanted ? take_value(m, &m->column[k], text, n, err) : IL_OK;
 }
 
@@ -291,6 +316,8 @@ static il_status make_stack(il_map *m, il_sink *sink, il_error *err)
         st = il_map_find_borders(m, err);
     if (st == IL_OK)
         st = il_map_settle_units(m, err);
+    if (st == IL_OK)
+        st = il_map_trim(m, err);
     if (st == IL_OK)
         st = il_map_project(m, err);
     if (st != IL_OK)

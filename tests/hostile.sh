@@ -20,6 +20,15 @@ modest() { # CODE MB SENTENCE COMMAND...
     fi
 }
 
+# The same within 20 seconds of a processor, where work that grows as the square of the
+# input would take minutes.
+prompt() { # CODE MB SENTENCE COMMAND...
+    code=$1 most=$2 sentence=$3
+    shift 3
+    if sanitized; then limit=unlimited; else limit=20; fi
+    modest "$code" "$most" "$sentence" sh -c 'ulimit -t "$1"; shift; exec "$@"' - "$limit" "$@"
+}
+
 head_of() { printf 'isoloft 1\nunit mm\nstack "a"\nslice 0\nring'; }
 
 # ---- sizes that are claimed ----------------------------------------------------
@@ -40,6 +49,24 @@ modest 3 40 "a drawing larger than numbers" "$ISOLOFT" big.svg
 printf '<svg><path data-z="0" d="M0 0A1e9 1e9 0 0 1 9e9 0z"/></svg>' >arc.svg
 "$ISOLOFT" read arc.svg --flatness 1e-9 >out 2>err
 holds "an arc that would need endless points is refused or bounded" test $? -le 3
+
+# ---- maps that make work ----------------------------------------------------------
+
+# Features on standard input as a collection.
+collection() { printf '{"type": "FeatureCollection", "features": [\n'; cat; printf '\n]}\n'; }
+awk 'BEGIN {
+    printf "{\"type\": \"Feature\", \"properties\": {\"elev\": 1}, \"geometry\": {\"type\": \"Polygon\", \"coordinates\": [["
+    for (k = 0; k < 400000; k++) printf "[700,700],[900,900],"
+    print "[900,700],[700,700]]]}},"
+    print "{\"type\": \"Feature\", \"properties\": {\"elev\": 2}, \"geometry\": {\"type\": \"Polygon\", \"coordinates\":",
+        "[[[0,0],[1000,0],[1000,1000],[0,0]]]}}" }' | collection >edges.geojson
+prompt 0 300 "a polygon with one edge 800000 times" "$ISOLOFT" read edges.geojson -o out.loft
+awk 'BEGIN {
+    for (k = 0; k < 200000; k++) printf "> -Z0\n%d 1000\n%d 2000\n> -Z%.15g\n%d 3000\n%d 4000\n", k, k, (k + 1) * 5e-9, k, k
+    print "> -Z1\n0 5000\n9 5000" }' >levels.gmt
+prompt 0 500 "400000 lines whose heights differ by next to nothing" "$ISOLOFT" read levels.gmt -o out.loft
+awk 'BEGIN { for (k = 0; k < 2000; k++) for (i = 0; i < 200; i++) printf "%sc%d%s", i ? "," : "", (i * 7 + k) % 200, i < 199 ? "" : "\n" }' >columns.csv
+prompt 3 40 "a table of many columns" "$ISOLOFT" read -f csv columns.csv -o out.loft
 
 # ---- long lines, odd bytes -----------------------------------------------------
 

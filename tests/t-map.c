@@ -111,7 +111,7 @@ static il_status command(script *w, il_map_set *set, const char *word, il_error 
 
 static il_status parse(il_source *source, il_map_set *set, const il_read_options *options, il_error *err)
 {
-    char text[8000];
+    char text[20000];
     size_t n = 0, got = 1;
     (void)options;
     il_status st = IL_OK;
@@ -520,6 +520,44 @@ static void bands_that_are_no_neighbours_meet_in_a_cliff(void **state)
     assert_contains(output, "slice 10\nline\n10 10\n10 0\nline\n30 0\n30 10\nslice 20\nline\n20 10\n20 0\nline\n30 0\n30 10\n");
 }
 
+static void an_edge_that_comes_often_is_met_two_and_two(void **state)
+{
+    (void)state;
+    const char *expected = "unit m\nstack \"\"\nkind terrain\nslice 10\nline\n0 0\n10 0\nline\n0 0\n10 0\nslice 20\nline\n0 0\n10 0\n";
+    assert_string_equal(
+        read_map("unit m f a min 0 a max 10 ring 0 0 10 0 5 5 f a min 10 a max 20 ring 0 0 10 0 5 -5 "
+                 "f a min 0 a max 10 ring 0 0 10 0 5 6 f a min 10 a max 20 ring 0 0 10 0 5 -6 "
+                 "f a min 10 a max 20 ring 0 0 10 0 5 7 f a min 20 a max 30 ring 0 0 10 0 5 -7 "
+                 "f a min 90 a max 99 ring 0 0 10 0 5 8", NULL), expected);
+}
+
+/* K bands apart from one another, and one below them all and one above that meet along
+ * K edges: each edge is an isoline at each level. */
+static void cliffs_over_very_many_levels_are_refused(void **state)
+{
+    (void)state;
+    enum { K = 280, SIZE = 20000 };
+    char text[SIZE];
+    size_t n = 0;
+    for (int k = 0; k < K; k++)
+        n += (size_t)snprintf(text + n, SIZE - n, "f a min %d a max %d ring %d 50 %d 50 %d 51 ", k, k + 1, 3 * k, 3 * k + 1, 3 * k);
+    for (int side = -1; side < 2; side += 2) {
+        n += (size_t)snprintf(text + n, SIZE - n, "f a min %d a max %d ring 0 %d %d %d ", side < 0 ? -1 : K, side < 0 ? 0 : K + 1,
+                              9 * side, K, 9 * side);
+        for (int k = K; k >= 0; k--)
+            n += (size_t)snprintf(text + n, SIZE - n, "%d %d ", k, k % 2);
+    }
+    assert_true(n < SIZE);
+    assert_contains(read_map(text, NULL), "isolines between its bands would have more than");
+}
+
+static void bands_without_borders_are_refused(void **state)
+{
+    (void)state;
+    assert_contains(read_map("f a min 0 a max 10 ring 0 0 9 0 9 9 f a min 10 a max 20 ring 50 0 59 0 59 9", NULL),
+                    "its bands have no border with one another");
+}
+
 static void one_height_for_each_band_is_too_little(void **state)
 {
     (void)state;
@@ -634,6 +672,9 @@ int main(void)
         cmocka_unit_test(the_outermost_bands_may_lack_an_end),
         cmocka_unit_test(an_island_of_a_band_is_a_ring),
         cmocka_unit_test(bands_that_are_no_neighbours_meet_in_a_cliff),
+        cmocka_unit_test(an_edge_that_comes_often_is_met_two_and_two),
+        cmocka_unit_test(cliffs_over_very_many_levels_are_refused),
+        cmocka_unit_test(bands_without_borders_are_refused),
         cmocka_unit_test(one_height_for_each_band_is_too_little),
         cmocka_unit_test(polygons_of_one_height_lose_the_borders_between_them),
         cmocka_unit_test(ends_on_an_edge_of_another_sheet_are_taken_off),

@@ -7,16 +7,21 @@
 #include <math.h>
 #include <string.h>
 
+/* Isolines of bands have no more than this many times the points of the file: where
+ * cliffs cross very many levels, their edges would come once for each. */
+enum { CLIFFS_MOST = 50 };
+
 /* Edges are known by the index of their first point in the map.  owner: the line of
  * each point; partner: the edge that meets it, NONE when there is none.  table: a hash
  * table of edges, open addressing.  level[n_levels]: all heights of bands, rising.
- * n_old: lines there were before the new ones. */
+ * n_old: lines there were before the new ones.  n_made, most: points of the
+ * new ones, and how many there may be. */
 enum { NONE = UINT32_MAX };
 
 typedef struct borders {
     il_map *map;
     uint32_t *owner, *partner, *table;
-    size_t mask, n_old;
+    size_t mask, n_old, n_made, most;
     double *level;
     size_t n_levels;
     size_t n_edges, n_shared, n_alone, n_unlike, n_overlapping;
@@ -44,17 +49,17 @@ static bool same_point(const double *p, const double *q)
     return p[0] == q[0] && p[1] == q[1];
 }
 
-static size_t hash_point(const double *p)
+/* The address makes hashes of a run its own, so that no file can be made to have them
+ * all alike. */
+static uint64_t hash_point(const borders *b, const double *p)
 {
-    uint64_t h = il_keymap_double(p[0]) * UINT64_C(0x9E3779B97F4A7C15) ^ il_keymap_double(p[1]);
-    h *= UINT64_C(0xC2B2AE3D27D4EB4F);
-    return (size_t)(h ^ h >> 29);
+    return il_keymap_mix(il_keymap_mix(il_keymap_double(p[0]) ^ (uintptr_t)b->table) + il_keymap_double(p[1]));
 }
 
 /* The two ends add up, so that the direction does not count. */
-static size_t hash_edge(const double *p, const double *q)
+static size_t hash_edge(const borders *b, const double *p, const double *q)
 {
-    return (hash_point(p) + hash_point(q)) * (size_t)UINT64_C(0x9E3779B97F4A7C15) >> 7;
+    return (size_t)il_keymap_mix(hash_point(b, p) + hash_point(b, q));
 }
 
 static bool same_edge(const borders *b, size_t e, const double *p, const double *q)
@@ -63,24 +68,23 @@ static bool same_edge(const borders *b, size_t e, const double *p, const double 
     return (same_point(p, r) && same_point(q, s)) || (same_point(p, s) && same_point(q, r));
 }
 
-/* Meet edge E with one that is there and has no partner, or put it into the table. */
+/* Meet edge E with the one like it in the table that has no partner, or put it there: in
+ * place of one that has, so that edges that come very often are found at once. */
 static void enter_edge(borders *b, const il_map_line *l, size_t e)
 {
     const double *p = point(b, e), *q = point(b, next_point(l, e));
     if (same_point(p, q))
         return;
-    for (size_t k = hash_edge(p, q) & b->mask;; k = (k + 1) & b->mask) {
-        uint32_t at = b->table[k];
-        if (at == NONE) {
-            b->table[k] = (uint32_t)e;
-            return;
-        }
-        if (b->partner[at] == NONE && same_edge(b, at, p, q)) {
-            b->partner[at] = (uint32_t)e;
-            b->partner[e] = at;
-            return;
-        }
+    size_t k = hash_edge(b, p, q) & b->mask;
+    while (b->table[k] != NONE && !same_edge(b, b->table[k], p, q))
+        k = (k + 1) & b->mask;
+    uint32_t at = b->table[k];
+    if (at == NONE || b->partner[at] != NONE) {
+        b->table[k] = (uint32_t)e;
+        return;
     }
+    b->partner[at] = (uint32_t)e;
+    b->partner[e] = at;
 }
 
 static bool allocate(borders *b)
@@ -135,7 +139,7 @@ static uint64_t hash_outline(const borders *b, const il_map_line *l)
 {
     uint64_t sum = 0;
     for (size_t p = l->begin; p < l->begin + l->n; p++)
-        sum += hash_point(point(b, p));
+        sum += hash_point(b, point(b, p));
     return sum;
 }
 
@@ -211,6 +215,9 @@ static bool add_run(borders *b, size_t i, size_t first, size_t n_edges, double h
     il_map *m = b->map;
     bool whole = n_edges == m->line[i].n;
     size_t n = n_edges + !whole;
+    b->n_made += n;
+    if (b->n_made > b->most)
+        return false;
     if (!il_grow(&m->line, &m->cap_lines, m->n_lines + 1, sizeof *m->line) ||
         !il_grow(&m->xy, &m->cap, m->n + n, 2 * sizeof *m->xy))
         return false;
@@ -225,6 +232,20 @@ static bool add_run(borders *b, size_t i, size_t first, size_t n_edges, double h
     return true;
 }
 
+/* The first level that is not below Z. */
+static size_t find_level(const borders *b, double z)
+{
+    size_t low = 0, high = b->n_levels;
+    while (low < high) {
+        size_t mid = low + (high - low) / 2;
+        if (b->level[mid] < z)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return low;
+}
+
 /* The run at every level from LOW to HIGH: bands that are no neighbours meet in a cliff. */
 static bool add_runs(borders *b, size_t i, size_t first, size_t n_edges, double low, double high)
 {
@@ -232,8 +253,8 @@ static bool add_runs(borders *b, size_t i, size_t first, size_t n_edges, double 
         return true;
     if (low == high)
         return add_run(b, i, first, n_edges, low);
-    for (size_t k = 0; k < b->n_levels; k++)
-        if (b->level[k] >= low && b->level[k] <= high && !add_run(b, i, first, n_edges, b->level[k]))
+    for (size_t k = find_level(b, low); k < b->n_levels && b->level[k] <= high; k++)
+        if (!add_run(b, i, first, n_edges, b->level[k]))
             return false;
     return true;
 }
@@ -318,6 +339,7 @@ il_status il_map_find_borders(il_map *m, il_error *err)
         return IL_OK;
     if (m->n >= NONE)
         return il_fail(err, IL_E_INPUT, 0, "has %zu points, more than polygons may have", m->n);
+    b.most = m->n < m->options->max_points / CLIFFS_MOST ? m->n * CLIFFS_MOST : m->options->max_points;
     bool ok = allocate(&b) && drop_twins(&b);
     if (ok) {
         meet_edges(&b);
@@ -328,5 +350,8 @@ il_status il_map_find_borders(il_map *m, il_error *err)
     il_free(b.partner);
     il_free(b.table);
     il_free(b.level);
+    if (b.n_made > b.most)
+        return il_fail(err, IL_E_INPUT, 0, "isolines between its bands would have more than %zu points: "
+                       "bands that are far apart in height meet too often", b.most);
     return ok ? tell(&b, err) : il_fail_nomem(err);
 }

@@ -46,14 +46,18 @@ static size_t bin_of(double lon)
 }
 
 /* All bins of the edge from longitude P to Q: the short way round, as lines that jump
- * from 179.9 to -179.9 mean it. */
-static void use_edge(bool used[BINS], double p, double q)
+ * from 179.9 to -179.9 mean it.  CHANGE[k]: how many more edges use bin k than the one
+ * before it; CHANGE[BINS] closes those that run to the end. */
+static void use_edge(ptrdiff_t change[BINS + 1], double p, double q)
 {
     bool eastward = (q > p) == (fabs(q - p) <= 180);
     size_t from = bin_of(eastward ? p : q), to = bin_of(eastward ? q : p);
-    for (size_t k = from; k != to; k = (k + 1) % BINS)
-        used[k] = true;
-    used[to] = true;
+    change[from]++;
+    change[to + 1]--;
+    if (from > to) { /* round the end */
+        change[0]++;
+        change[BINS]--;
+    }
 }
 
 /* How many degrees of the circle the lines take, in one run.  *START is where, from 0 to
@@ -64,17 +68,19 @@ static double turn_used(const il_map *m, double *start)
     *start = -1;
     if (m->box[2] - m->box[0] <= 180)
         return m->box[2] - m->box[0];
-    bool used[BINS] = { false };
+    ptrdiff_t change[BINS + 1] = { 0 };
     for (size_t i = 0; i < m->n_lines; i++) {
         const il_map_line *l = &m->line[i];
         for (size_t k = 0; k < (il_map_takes_part(l) ? l->n : 0); k++) {
             size_t next = k + 1 < l->n ? k + 1 : l->closed ? 0 : k;
-            use_edge(used, m->xy[2 * (l->begin + k)], m->xy[2 * (l->begin + next)]);
+            use_edge(change, m->xy[2 * (l->begin + k)], m->xy[2 * (l->begin + next)]);
         }
     }
     size_t longest = 0, end = 0, run = 0;
+    ptrdiff_t used = 0;
     for (size_t k = 0; k < (size_t)2 * BINS; k++) {
-        run = used[k % BINS] ? 0 : run + 1;
+        used = k % BINS == 0 ? change[0] : used + change[k % BINS];
+        run = used > 0 ? 0 : run + 1;
         if (run > longest && run <= BINS) {
             longest = run;
             end = k + 1;

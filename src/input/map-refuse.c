@@ -37,7 +37,10 @@ static il_status name_file(const il_map *m, const il_map_line *l, il_error *err)
 
 il_status il_map_refuse_no_lines(const il_map *m, il_error *err)
 {
-    il_fail(err, IL_E_INPUT, 0, "has %sno lines and no polygons, so no isolines", m->n_lines > 0 ? "single points only, " : "");
+    if (m->place.kind == IL_MAP_BAND)
+        il_fail(err, IL_E_INPUT, 0, "its bands have no border with one another, and isolines are the borders between two of them");
+    else
+        il_fail(err, IL_E_INPUT, 0, "has %sno lines and no polygons, so no isolines", m->n_lines > 0 ? "single points only, " : "");
     return name_file(m, NULL, err);
 }
 

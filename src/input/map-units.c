@@ -108,21 +108,18 @@ static void convert(il_map *m)
 
 /* ---- levels --------------------------------------------------------------------- */
 
-/* How often the value at Z[K] comes there; Z is sorted. */
-static size_t times(const double *z, size_t n, size_t k)
-{
-    size_t end = k;
-    while (end < n && z[end] == z[k])
-        end++;
-    return end - k;
-}
-
 /* The commonest of Z[0..N), sorted; of equally common ones the least. */
 static double commonest(const double *z, size_t n)
 {
-    size_t best = 0;
-    for (size_t k = 0; k < n; k += times(z, n, k))
-        best = times(z, n, k) > times(z, n, best) ? k : best;
+    size_t best = 0, most = 0;
+    for (size_t k = 0, end = 0; k < n; k = end) {
+        while (end < n && z[end] == z[k])
+            end++;
+        if (end - k > most) {
+            most = end - k;
+            best = k;
+        }
+    }
     return z[best];
 }
 

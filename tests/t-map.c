@@ -111,7 +111,7 @@ static il_status command(script *w, il_map_set *set, const char *word, il_error 
 
 static il_status parse(il_source *source, il_map_set *set, const il_read_options *options, il_error *err)
 {
-    char text[8000];
+    static char text[2000000];
     size_t n = 0, got = 1;
     (void)options;
     il_status st = IL_OK;
@@ -491,16 +491,36 @@ static void one_height_for_each_band_is_too_little(void **state)
 static void polygons_of_one_height_lose_the_borders_between_them(void **state)
 {
     (void)state;
-    const char *expected = "slice 1\nline\n10 0\n20 0\n20 10\n10 10\nline\n10 10\n0 10\n0 0\n10 0\nslice 2\nring\n4 4\n6 4\n6 6\n";
     assert_contains(read_map("f a elev 1 ring 0 0 10 0 10 10 0 10 f a elev 1 ring 20 0 20 10 10 10 10 0 f a elev 2 ring 4 4 6 4 6 6",
         NULL),
                     "slice 1\n");
-    (void)expected;
     assert_null(strstr(output, "ring\n0 0"));
     assert_contains(output, "slice 2\nring\n4 4\n6 4\n6 6\n");
     assert_contains(read_map("f a elev 1 ring 0 0 9 0 9 9 f a elev 1 ring 9 9 9 0 0 0 f a elev 2 ring 4 1 6 1 6 2", NULL),
         "slice 1\nring\n0 0\n9 0\n9 9\n");
     assert_int_equal(report.repair[IL_REPAIR_DUPLICATE_RING], 1);
+}
+
+/* Neither in time nor in memory: a border of two points there and back, and a cliff across
+ * all levels. */
+static void polygons_that_repeat_themselves_end(void **state)
+{
+    (void)state;
+    enum { N = 200000 };
+    static char text[9 * N];
+    il_read_options o = defaults;
+    char *p = text + sprintf(text, TWO("a elev 1", "a elev 2") " f a elev 3 ring");
+    for (size_t k = 0; k < N; k++)
+        p += sprintf(p, " 1 1 9 9");
+    assert_string_equal(heights(read_map(text, NULL)), " 1 2 3");
+    p = text + sprintf(text, "f a min 0 a max 1 ring 0 0 1 0 1 1 1 2 1 3 0 3 "
+                       "f a min 100 a max 101 ring 1 0 2 0 2 3 1 3 1 2 1 1");
+    for (int k = 1; k < 100; k++)
+        p += sprintf(p, " f a min %d a max %d ring %d 9 %d 9 %d 8", k, k + 1, 9 * k, 9 * k + 1, 9 * k);
+    o.max_points = 400;
+    assert_contains(read_map(text, &o), "slice 100\n");
+    o.max_points = 399;
+    assert_string_equal(read_map(text, &o), "more than 399 points on the borders of polygons (--max-points)");
 }
 
 /* ---- long edges ------------------------------------------------------------------- */
@@ -553,6 +573,7 @@ int main(void)
         cmocka_unit_test(bands_that_are_no_neighbours_meet_in_a_cliff),
         cmocka_unit_test(one_height_for_each_band_is_too_little),
         cmocka_unit_test(polygons_of_one_height_lose_the_borders_between_them),
+        cmocka_unit_test(polygons_that_repeat_themselves_end),
         cmocka_unit_test(long_edges_get_vertices_of_their_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -10,7 +10,7 @@
 /* Edges are known by the index of their first point in the map.  owner: the line of
  * each point; partner: the edge that meets it, NONE when there is none.  table: a hash
  * table of edges, open addressing.  level[n_levels]: all heights of bands, rising.
- * n_old: lines there were before the new ones. */
+ * n_old: lines there were before the new ones; n_new: points of these. */
 enum { NONE = UINT32_MAX };
 
 typedef struct borders {
@@ -19,7 +19,7 @@ typedef struct borders {
     size_t mask, n_old;
     double *level;
     size_t n_levels;
-    size_t n_edges, n_shared, n_alone, n_unlike, n_overlapping;
+    size_t n_new, n_edges, n_shared, n_alone, n_unlike, n_overlapping;
 } borders;
 
 /* ---- edges ------------------------------------------------------------------ */
@@ -63,7 +63,9 @@ static bool same_edge(const borders *b, size_t e, const double *p, const double 
     return (same_point(p, r) && same_point(q, s)) || (same_point(p, s) && same_point(q, r));
 }
 
-/* Meet edge E with one that is there and has no partner, or put it into the table. */
+/* Meet edge E with one that is there and has no partner, or put it into the table: in the
+ * place of one that has met its partner and is asked for no more, so that an edge that
+ * comes a thousand times does not make a row of a thousand. */
 static void enter_edge(borders *b, const il_map_line *l, size_t e)
 {
     const double *p = point(b, e), *q = point(b, next_point(l, e));
@@ -71,13 +73,14 @@ static void enter_edge(borders *b, const il_map_line *l, size_t e)
         return;
     for (size_t k = hash_edge(p, q) & b->mask;; k = (k + 1) & b->mask) {
         uint32_t at = b->table[k];
-        if (at == NONE) {
-            b->table[k] = (uint32_t)e;
-            return;
-        }
-        if (b->partner[at] == NONE && same_edge(b, at, p, q)) {
+        bool same = at != NONE && same_edge(b, at, p, q);
+        if (same && b->partner[at] == NONE) {
             b->partner[at] = (uint32_t)e;
             b->partner[e] = at;
+            return;
+        }
+        if (same || at == NONE) {
+            b->table[k] = (uint32_t)e;
             return;
         }
     }
@@ -206,14 +209,16 @@ static bool heights_of(borders *b, const il_map_line *l, size_t e, double *low, 
 /* ---- runs of edges become lines -------------------------------------------------- */
 
 /* Points FIRST and on, N_EDGES edges of outline I, as a line of height H. */
-static bool add_run(borders *b, size_t i, size_t first, size_t n_edges, double h)
+static il_status add_run(borders *b, size_t i, size_t first, size_t n_edges, double h, il_error *err)
 {
     il_map *m = b->map;
     bool whole = n_edges == m->line[i].n;
-    size_t n = n_edges + !whole;
+    size_t n = n_edges + !whole, most = m->options->max_points;
+    if (n > most || b->n_new > most - n)
+        return il_fail(err, IL_E_INPUT, m->line[i].line, "more than %zu points on the borders of polygons (--max-points)", most);
     if (!il_grow(&m->line, &m->cap_lines, m->n_lines + 1, sizeof *m->line) ||
         !il_grow(&m->xy, &m->cap, m->n + n, 2 * sizeof *m->xy))
-        return false;
+        return il_fail_nomem(err);
     const il_map_line *l = &m->line[i];
     il_map_line *run = &m->line[m->n_lines++];
     *run = (il_map_line){ .begin = m->n, .n = n, .height = h, .upper = NAN, .line = l->line, .feature = l->feature,
@@ -222,20 +227,35 @@ static bool add_run(borders *b, size_t i, size_t first, size_t n_edges, double h
         m->xy[2 * m->n] = m->xy[2 * p];
         m->xy[2 * m->n + 1] = m->xy[2 * p + 1];
     }
-    return true;
+    b->n_new += n;
+    return IL_OK;
+}
+
+/* The least level that is not below LOW. */
+static size_t first_level(const borders *b, double low)
+{
+    size_t from = 0, to = b->n_levels;
+    while (from < to) {
+        size_t mid = from + (to - from) / 2;
+        if (b->level[mid] < low)
+            from = mid + 1;
+        else
+            to = mid;
+    }
+    return from;
 }
 
 /* The run at every level from LOW to HIGH: bands that are no neighbours meet in a cliff. */
-static bool add_runs(borders *b, size_t i, size_t first, size_t n_edges, double low, double high)
+static il_status add_runs(borders *b, size_t i, size_t first, size_t n_edges, double low, double high, il_error *err)
 {
+    il_status st = IL_OK;
     if (n_edges == 0)
-        return true;
+        return IL_OK;
     if (low == high)
-        return add_run(b, i, first, n_edges, low);
-    for (size_t k = 0; k < b->n_levels; k++)
-        if (b->level[k] >= low && b->level[k] <= high && !add_run(b, i, first, n_edges, b->level[k]))
-            return false;
-    return true;
+        return add_run(b, i, first, n_edges, low, err);
+    for (size_t k = first_level(b, low); k < b->n_levels && b->level[k] <= high && st == IL_OK; k++)
+        st = add_run(b, i, first, n_edges, b->level[k], err);
+    return st;
 }
 
 /* An edge after which another run begins, for a start; the first point if all is one. */
@@ -252,7 +272,7 @@ static size_t find_break(borders *b, const il_map_line *l)
     return l->begin;
 }
 
-static bool cut_outline(borders *b, size_t i)
+static il_status cut_outline(borders *b, size_t i, il_error *err)
 {
     il_map_line l = b->map->line[i];
     size_t e = find_break(b, &l), first = e, n_edges = 0;
@@ -261,8 +281,9 @@ static bool cut_outline(borders *b, size_t i)
         double low, high;
         bool draws = heights_of(b, &l, e, &low, &high);
         if (n_edges > 0 && (!draws || low != run_low || high != run_high)) {
-            if (!add_runs(b, i, first, n_edges, run_low, run_high))
-                return false;
+            il_status st = add_runs(b, i, first, n_edges, run_low, run_high, err);
+            if (st != IL_OK)
+                return st;
             n_edges = 0;
         }
         if (draws && n_edges++ == 0) {
@@ -271,20 +292,22 @@ static bool cut_outline(borders *b, size_t i)
             run_high = high;
         }
     }
-    return add_runs(b, i, first, n_edges, run_low, run_high);
+    return add_runs(b, i, first, n_edges, run_low, run_high, err);
 }
 
-static bool cut_outlines(borders *b)
+static il_status cut_outlines(borders *b, il_error *err)
 {
-    for (size_t i = 0; i < b->n_old; i++) {
+    il_status st = IL_OK;
+    for (size_t i = 0; i < b->n_old && st == IL_OK; i++) {
         if (!is_outline(&b->map->line[i]))
             continue;
-        if (!cut_outline(b, i))
-            return false;
+        st = cut_outline(b, i, err);
+        if (st != IL_OK)
+            il_error_set_file(err, il_map_file_of(b->map, &b->map->line[i]));
         b->map->line[i].height = NAN;
         b->map->line[i].n = 0;
     }
-    return true;
+    return st;
 }
 
 /* ---- all of it ------------------------------------------------------------------- */
@@ -318,15 +341,15 @@ il_status il_map_find_borders(il_map *m, il_error *err)
         return IL_OK;
     if (m->n >= NONE)
         return il_fail(err, IL_E_INPUT, 0, "has %zu points, more than polygons may have", m->n);
-    bool ok = allocate(&b) && drop_twins(&b);
-    if (ok) {
+    il_status st = allocate(&b) && drop_twins(&b) ? IL_OK : il_fail_nomem(err);
+    if (st == IL_OK) {
         meet_edges(&b);
         collect_levels(&b);
-        ok = cut_outlines(&b);
+        st = cut_outlines(&b, err);
     }
     il_free(b.owner);
     il_free(b.partner);
     il_free(b.table);
     il_free(b.level);
-    return ok ? tell(&b, err) : il_fail_nomem(err);
+    return st == IL_OK ? tell(&b, err) : st;
 }

@@ -405,6 +405,10 @@ static void files_of_two_systems_are_no_map(void **state)
     (void)state;
     assert_string_equal(run(other, &defaults), "its coordinate system is 'EPSG:26916', and 'EPSG:26915' before it");
     assert_string_equal(heights(run(same, &defaults)), " 1 2 3");
+    assert_false(noted("taken for the same"));
+    const char *const words[] = { "crs 'Grid A' " TWO("a elev 1", "a elev 2"), "crs 'Grid B' f a elev 3 line 1 1 9 9", NULL };
+    assert_string_equal(heights(run(words, &defaults)), " 1 2 3");
+    assert_noted("its coordinate system, 'Grid B', is taken for the same as 'Grid A' before it");
 }
 
 static void longitudes_run_across_the_antimeridian(void **state)

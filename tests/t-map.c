@@ -218,6 +218,26 @@ static void an_attribute_of_a_usual_name_is_the_height(void **state)
     }
 }
 
+static void a_height_is_found_behind_many_attributes(void **state)
+{
+    static char text[20000];
+    (void)state;
+    char *p = text + sprintf(text, "%s", TWO("a elev 1 a b 2", "a elev 2"));
+    for (int k = 0; k < 300; k++)
+        p += sprintf(p, " f a x%d 1", k);
+    p += sprintf(p, " f a height 3 line 0 0 1 1");
+    il_read_options o = defaults;
+    o.map.height = "height";
+    o.map.high = IL_SIDE_LEFT;
+    assert_string_equal(heights(read_map(text, &o)), " 3");
+    for (unsigned k = 0; k < 512; k++) {
+        p += sprintf(p, " f a elevation 3");
+        for (unsigned i = 0; i < 9; i++)
+            p[(int)i - 11] = (char)(p[(int)i - 11] & ~(k >> i & 1 ? 0x20 : 0));
+    }
+    assert_contains(read_map(text, NULL), "more than 200 attributes have names of heights");
+}
+
 static void other_names_are_no_heights(void **state)
 {
     static const char *const names[] = { "ID", "length", "shape_leng", "levels", "elev_index", "zone", "width", "elevator", "" };
@@ -553,6 +573,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_attribute_of_a_usual_name_is_the_height),
+        cmocka_unit_test(a_height_is_found_behind_many_attributes),
         cmocka_unit_test(other_names_are_no_heights),
         cmocka_unit_test(the_first_usual_name_that_tells_levels_apart_wins),
         cmocka_unit_test(z_comes_before_the_place_of_the_format),

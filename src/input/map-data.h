@@ -59,7 +59,7 @@ typedef struct il_map {
     il_map_line *line;
     size_t n_lines, cap_lines;
     il_map_column *column;
-    size_t n_columns, cap_columns, n_columns_dropped;
+    size_t n_columns, cap_columns;
     size_t n_features, n_files;
     const char **file;          /* borrowed names */
     char *crs;                  /* as the first file that says has it; null when none does */

@@ -12,8 +12,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Names of attributes that are kept for the refusal that lists them; files of more
- * columns are tables of something else. */
+/* Names of attributes that are kept for the refusal that lists them, and so many again of
+ * those that may be heights: no file that means something has more. */
 enum { COLUMNS_MOST = 200 };
 
 /* guess: the column that likely comes next, as features have the same attributes in the
@@ -110,27 +110,29 @@ static bool same_name(const char *a, const char *b, size_t n)
     return strlen(a) == n && memcmp(a, b, n) == 0; /* B may hold zero bytes */
 }
 
-/* The index of the column NAME, made when it is new; n_columns when it cannot be. */
-static size_t find_column(il_map_set *s, const char *name, size_t n, bool is_place)
+/* *AT is the column NAME, made when it is new; n_columns when it is one too many that
+ * does not matter. */
+static il_status find_column(il_map_set *s, const char *name, size_t n, bool is_place, size_t *at, il_error *err)
 {
     il_map *m = &s->map;
     for (size_t k = 0; k < m->n_columns; k++) {
-        size_t at = (s->guess + k) % m->n_columns;
-        if (m->column[at].is_place == is_place && same_name(m->column[at].name, name, n))
-            return at;
+        *at = (s->guess + k) % m->n_columns;
+        if (m->column[*at].is_place == is_place && same_name(m->column[*at].name, name, n))
+            return IL_OK;
     }
-    if (m->n_columns >= COLUMNS_MOST) {
-        m->n_columns_dropped++;
-        return m->n_columns;
-    }
+    bool wanted = is_place || il_map_heights_wants(m->options, name, n);
+    *at = m->n_columns;
+    if (m->n_columns >= COLUMNS_MOST && !wanted)
+        return IL_OK;
+    if (m->n_columns >= 2 * COLUMNS_MOST)
+        return il_fail(err, IL_E_INPUT, 0, "more than %d attributes have names of heights", COLUMNS_MOST);
     char *copy = il_strndup(name, n);
     if (!copy || !il_grow(&m->column, &m->cap_columns, m->n_columns + 1, sizeof *m->column)) {
         il_free(copy);
-        return m->n_columns;
+        return il_fail_nomem(err);
     }
-    m->column[m->n_columns] = (il_map_column){
-        .name = copy, .is_place = is_place, .wanted = is_place || il_map_heights_wants(m->options, name, n) };
-    return m->n_columns++;
+    m->column[m->n_columns++] = (il_map_column){ .name = copy, .is_place = is_place, .wanted = wanted };
+    return IL_OK;
 }
 
 /* Give COLUMN the value of the feature at hand. */
@@ -163,9 +165,10 @@ static il_status take_value(il_map *m, il_map_column *c, const char *text, size_
 static il_status take(il_map_set *s, const char *name, size_t n_name, const char *text, size_t n, bool is_place, il_error *err)
 {
     il_map *m = &s->map;
-    size_t before = m->n_columns, k = find_column(s, name, n_name, is_place);
-    if (k == m->n_columns)
-        return before >= COLUMNS_MOST ? IL_OK : il_fail_nomem(err);
+    size_t k;
+    il_status st = find_column(s, name, n_name, is_place, &k, err);
+    if (st != IL_OK || k == m->n_columns)
+        return st;
     s->guess = k + 1;
     return text && m->column[k].wanted ? take_value(m, &m->column[k], text, n, err) : IL_OK;
 }

@@ -155,6 +155,11 @@ static void codes_say_what_they_are(void **state)
         assert_int_equal(crs(nothing[k]).kind, IL_CRS_UNKNOWN);
     assert_int_equal(crs(NULL).kind, IL_CRS_UNKNOWN);
     assert_true(crs("EPSG:4267").ellipsoid.a == 6378206.4 && crs("EPSG:4267").epsg == 4267);
+    assert_int_equal(crs("EPSG:4326+5773").epsg, 4326);
+    assert_int_equal(crs("urn:ogc:def:crs,crs:EPSG::4326,crs:EPSG::5773").epsg, 4326);
+    assert_int_equal(crs("urn:ogc:def:crs:EPSG:6.9:4326").epsg, 4326);
+    assert_int_equal(crs("http://www.opengis.net/def/crs/EPSG/0/4326").epsg, 4326);
+    assert_int_equal(crs("+init=epsg:4326 +no_defs").epsg, 4326);
     assert_true(crs("+proj=lcc +units=us-ft").us_foot && crs("+proj=lcc +units=us-ft").unit == IL_UNIT_FT);
 }
 
@@ -197,7 +202,18 @@ static void words_agree_where_they_mean_the_same(void **state)
     il_crs a = crs("EPSG:4326"), b = crs("GEOGCS[\"x\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]]"), c = crs("EPSG:4267"),
         d = crs("EPSG:27700");
     assert_true(il_crs_agree(&a, &b) && !il_crs_agree(&a, &c) && !il_crs_agree(&b, &c) && !il_crs_agree(&a, &d));
+    il_crs zone10 = crs("PROJCS[\"NAD_1983_UTM_Zone_10N\",GEOGCS[\"x\",SPHEROID[\"GRS_1980\",6378137.0,298.257222101]],"
+                        "PARAMETER[\"Central_Meridian\",-123.0],PARAMETER[\"False_Northing\",0],UNIT[\"Meter\",1.0]]"),
+        zone11 = crs("PROJCS[\"NAD_1983_UTM_Zone_11N\",GEOGCS[\"x\",SPHEROID[\"GRS_1980\",6378137.0,298.257222101]],"
+                     "PARAMETER[\"Central_Meridian\",-117.0],PARAMETER[\"False_Northing\",0],UNIT[\"Meter\",1.0]]"),
+        same = crs("PROJCRS[\"NAD83 / UTM zone 10N\",CONVERSION[\"UTM\",PARAMETER[\"Longitude of natural origin\",-123]]]"),
+        proj = crs("+proj=utm +zone=10 +ellps=GRS80 +units=m"), south = crs("+proj=utm +zone=10 +south +ellps=GRS80"),
+        unknown = crs("EPSG:4999");
+    assert_true(!il_crs_agree(&zone10, &zone11) && il_crs_agree(&zone10, &same) && !il_crs_agree(&zone11, &same));
+    assert_true(il_crs_agree(&zone10, &proj) && !il_crs_agree(&zone11, &proj) && !il_crs_agree(&zone10, &south));
+    assert_true(!il_crs_agree(&a, &unknown));
     char to[40];
+    assert_string_equal(il_crs_short("EPSG:25832+7837", to, sizeof to), "EPSG:25832+7837");
     assert_string_equal(il_crs_short("urn:ogc:def:crs:EPSG::27700", to, sizeof to), "EPSG:27700");
     assert_string_equal(il_crs_short("EPSG:4326", to, sizeof to), "EPSG:4326");
     assert_string_equal(il_crs_short("whatever", to, sizeof to), "whatever");

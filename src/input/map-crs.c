@@ -62,24 +62,24 @@ static void take_epsg(long code, il_crs *c)
     c->unit = IL_UNIT_M;
 }
 
-/* The digits that end TEXT[0..N) as a number, or 0. */
-static long last_number(const char *text, size_t n)
+/* The number that S[0..N) begins with, up to AT its end or a comma or plus; or 0. */
+static long number_at(const char *s)
 {
-    size_t k = n;
-    while (k > 0 && text[k - 1] >= '0' && text[k - 1] <= '9')
-        k--;
-    return n - k > 0 && n - k <= 7 && k > 0 ? strtol(text + k, NULL, 10) : 0;
+    size_t n = strspn(s, "0123456789");
+    return n > 0 && n <= 7 && strchr(",+", s[n]) ? strtol(s, NULL, 10) : 0;
 }
 
 /* "EPSG:4326", "urn:ogc:def:crs:EPSG:6.9:4326", "http://www.opengis.net/def/crs/EPSG/0/4326";
- * 0 when TEXT is nothing of the kind. */
+ * 0 when TEXT is nothing of the kind.  Behind that of the plane a code of heights may
+ * stand: "EPSG:25832+7837", "urn:ogc:def:crs,crs:EPSG::4326,crs:EPSG::5773". */
 static long epsg_of(const char *text)
 {
-    size_t n = strlen(text);
-    bool is_urn = strncasecmp(text, "urn:", 4) == 0 && strstr(text, "EPSG:");
-    bool is_url = strncasecmp(text, "http", 4) == 0 && strstr(text, "/EPSG/");
-    bool is_short = strncasecmp(text, "EPSG:", 5) == 0;
-    return is_urn || is_url || is_short ? last_number(text, n) : 0;
+    const char *urn = strncasecmp(text, "urn:", 4) == 0 ? strstr(text, "EPSG:") : NULL;
+    const char *url = strncasecmp(text, "http", 4) == 0 ? strstr(text, "/EPSG/") : NULL;
+    if (strncasecmp(text, "EPSG:", 5) == 0)
+        return number_at(text + 5);
+    const char *version = urn ? urn + 5 : url ? url + 6 : "", *code = strpbrk(version, urn ? ":" : "/");
+    return code ? number_at(code + 1) : 0;
 }
 
 static bool is_crs84(const char *text)
@@ -141,6 +141,18 @@ static void take_proj_unit(const char *text, il_crs *c)
         c->odd_unit = true;
 }
 
+/* Zones of UTM are numbered from the antimeridian on. */
+static void take_proj_origin(const char *text, il_crs *c)
+{
+    double zone;
+    proj_number(text, "lon_0", &c->origin[0]);
+    proj_number(text, "lat_0", &c->origin[1]);
+    if (!proj_is(text, "proj", "utm") || !proj_number(text, "zone", &zone))
+        return;
+    c->origin[0] = 6 * zone - 183;
+    c->origin[3] = strstr(text, "+south") ? 1e7 : 0;
+}
+
 static bool parse_proj(const char *text, il_crs *c)
 {
     if (!strstr(text, "+proj=") && !strstr(text, "+init="))
@@ -148,22 +160,28 @@ static bool parse_proj(const char *text, il_crs *c)
     size_t n;
     const char *code = proj_value(text, "init", &n);
     if (code) {
-        take_epsg(last_number(code, n), c);
+        long number = strncasecmp(code, "epsg:", 5) == 0 ? strtol(code + 5, NULL, 10) : 0;
+        if (number > 0)
+            take_epsg(number, c);
         return true;
     }
     bool degrees = proj_is(text, "proj", "longlat") || proj_is(text, "proj", "latlong") || proj_is(text, "proj", "lonlat");
     c->kind = degrees ? IL_CRS_GEOGRAPHIC : IL_CRS_PROJECTED;
     take_proj_ellipsoid(text, c);
-    if (!degrees)
+    if (!degrees) {
         take_proj_unit(text, c);
+        take_proj_origin(text, c);
+    }
     return true;
 }
 
 /* ---- any words ------------------------------------------------------------- */
 
+static const il_crs no_crs = { .ellipsoid = IL_ELLIPSOID_WGS84, .origin = { NAN, NAN, NAN, NAN } };
+
 void il_crs_parse(const char *text, il_crs *c)
 {
-    *c = (il_crs){ .ellipsoid = IL_ELLIPSOID_WGS84 };
+    *c = no_crs;
     if (!text)
         return;
     long code = epsg_of(text);
@@ -174,27 +192,35 @@ void il_crs_parse(const char *text, il_crs *c)
         c->epsg = 4326;
         set_ellipsoid(c, &wgs84);
     } else if (!parse_proj(text, c) && !il_crs_parse_wkt(text, c)) {
-        *c = (il_crs){ .ellipsoid = IL_ELLIPSOID_WGS84 };
+        *c = no_crs;
     }
 }
 
 const char *il_crs_short(const char *text, char *to, size_t size)
 {
-    long code = text ? epsg_of(text) : 0;
+    long code = text && !strpbrk(text, "+,") ? epsg_of(text) : 0;
     if (code == 0)
         return text && is_crs84(text) ? "OGC:CRS84" : text;
     snprintf(to, size, "EPSG:%ld", code);
     return to;
 }
 
+static bool same_origin(const il_crs *x, const il_crs *y)
+{
+    for (size_t k = 0; k < sizeof x->origin / sizeof *x->origin; k++)
+        if (fabs(x->origin[k] - y->origin[k]) > 1e-6)
+            return false;
+    return true;
+}
+
 bool il_crs_agree(const il_crs *x, const il_crs *y)
 {
+    if (x->epsg && y->epsg && x->epsg != y->epsg)
+        return false;
     if (x->kind == IL_CRS_UNKNOWN || y->kind == IL_CRS_UNKNOWN)
         return true;
-    if (x->kind != y->kind || (x->epsg && y->epsg && x->epsg != y->epsg))
-        return false;
     bool unit = !x->has_unit || !y->has_unit || x->unit == y->unit;
     bool ellipsoid = !x->has_ellipsoid || !y->has_ellipsoid ||
                      (x->ellipsoid.a == y->ellipsoid.a && fabs(x->ellipsoid.f - y->ellipsoid.f) < 1e-9);
-    return unit && ellipsoid;
+    return x->kind == y->kind && unit && ellipsoid && same_origin(x, y);
 }

@@ -18,13 +18,13 @@
  * that may be heights; files of more columns are tables of something else. */
 enum { COLUMNS_MOST = 200 };
 
-/* now: what a parser is inside of.  guess: the column that likely comes next, as
- * features have the same attributes in the same order. */
+/* guess: the column that likely comes next, as features have the same attributes in the
+ * same order. */
 struct il_map_set {
     il_map map;
     uint32_t file;
-    bool in_part;
     size_t guess;
+    bool has_told_crs;          /* that two files state theirs in different words */
 };
 
 /* ---- points ------------------------------------------------------------------ */
@@ -223,6 +223,15 @@ static char *copy_words(const char *text, size_t n)
     return il_strndup(shown, il_text_printable(shown, sizeof shown, text, n));
 }
 
+/* The system WORDS may be the one that is known, which nothing here can tell for sure. */
+static void tell_other_words(il_map_set *s, const char *words)
+{
+    if (!s->has_told_crs)
+        il_report_note(s->map.report, "%.200s: its coordinate system, '%.80s', is taken for the same as '%.80s' before it",
+                       il_map_file(s), words, s->map.crs);
+    s->has_told_crs = true;
+}
+
 il_status il_map_crs(il_map_set *s, const char *text, size_t n, long line, il_error *err)
 {
     il_map *m = &s->map;
@@ -234,6 +243,8 @@ il_status il_map_crs(il_map_set *s, const char *text, size_t n, long line, il_er
     il_crs_parse(copy, &meaning);
     if (copy && m->crs && !il_crs_agree(&meaning, &m->meaning))
         st = il_fail(err, IL_E_INPUT, line, "its coordinate system is '%.80s', and '%.60s' before it", copy, m->crs);
+    else if (copy && m->crs && (meaning.epsg == 0 || meaning.epsg != m->meaning.epsg))
+        tell_other_words(s, copy);
     if (st != IL_OK || m->crs) {
         il_free(copy);
         return st;

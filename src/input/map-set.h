@@ -36,8 +36,8 @@ il_status il_map_end_part(il_map_set *s, il_error *err);
 
 /* The feature's attribute NAME has the value TEXT, as it is written, without quotes;
  * a value that is not there (null, an empty cell) is told with TEXT null, so that its
- * name is known.  Names are compared without regard to case; both are UTF-8, and
- * other bytes are shown as such. */
+ * name is known.  Names that differ in case are two attributes; what they mean does not
+ * depend on case.  Both are UTF-8, and other bytes are shown as such. */
 il_status il_map_attribute(il_map_set *s, const char *name, size_t n_name, const char *text, size_t n, il_error *err);
 
 /* The same for what is no attribute but stands where the format may have put the

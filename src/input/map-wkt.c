@@ -114,10 +114,25 @@ static void take_code(wkt *w, const level *l)
         c->epsg = (long)l->number[0];
 }
 
+/* Parameters go by many names; where they begin alike they mean alike. */
+static void take_parameter(wkt *w, const level *l)
+{
+    static const struct { const char *begin; int k; } names[] = {
+        { "central_meridian", 0 }, { "longitude", 0 }, { "latitude", 1 }, { "false_easting", 2 }, { "false easting", 2 },
+        { "easting at", 2 }, { "false_northing", 3 }, { "false northing", 3 }, { "northing at", 3 } };
+    node around = system_around(w, w->depth);
+    if (l->n_numbers == 0)
+        return;
+    if (around == NODE_VERTICAL && strcasecmp(l->word, "Direction") == 0) /* in Esri's WKT */
+        w->out->down = l->number[0] < 0;
+    for (size_t k = 0; k < sizeof names / sizeof *names && around == NODE_PROJECTED; k++)
+        if (strncasecmp(l->word, names[k].begin, strlen(names[k].begin)) == 0)
+            w->out->origin[names[k].k] = l->number[0];
+}
+
 /* Node L, which stood at this depth, is over. */
 static void close_node(wkt *w, const level *l)
 {
-    il_crs *c = w->out;
     switch (l->means) {
     case NODE_UNIT:
         take_unit(w, l);
@@ -128,9 +143,8 @@ static void close_node(wkt *w, const level *l)
     case NODE_CODE:
         take_code(w, l);
         break;
-    case NODE_PARAMETER: /* of a VERTCS, in Esri's WKT */
-        if (system_around(w, w->depth) == NODE_VERTICAL && strcasecmp(l->word, "Direction") == 0 && l->n_numbers > 0)
-            c->down = l->number[0] < 0;
+    case NODE_PARAMETER:
+        take_parameter(w, l);
         break;
     default:
         break;

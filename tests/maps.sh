@@ -168,4 +168,20 @@ else
     skip "GDAL's isolines are the same stream in every format" "GDAL is not installed"
 fi
 
+# ---- the acceptance of published isolines -----------------------------------------------
+
+accept() { sh "$srcdir/tests/check-isolines" >accepted 2>&1; }
+mkdir published
+for form in geojson kml-z gpx-z; do map_as $form degrees <degrees.lines >published/$form; done
+gzip -c published/kml-z >published/packed.kml.gz
+grep '^110 ' degrees.lines | map_as geojson degrees >published/one-level
+ISOLINES=published
+export ISOLINES
+holds "good maps pass make check-isolines" accept
+holds "and one that is refused with a reason is counted" sh -c 'tail -n 1 accepted | grep -x "4 passed, 0 failed, 1 skipped"'
+holds "and shown with it" grep -q '^one-level .*refused: has one level only' accepted
+ISOLINES=
+holds "without a folder it is skipped" accept
+holds "which counts" sh -c 'tail -n 1 accepted | grep -x "0 passed, 0 failed, 1 skipped"'
+
 plan

@@ -132,7 +132,7 @@ static const struct { const char *format, *text; } heads[] = {
     { "csv", "WKT,elev\n\"LINESTRING (0 0,1 1)\",5\n" }, { "csv", "LINESTRING Z (0 0 5, 1 1 5)\n" }, { "csv", "elev;geom\n5;\n" },
     { "csv", "a\tb\n5\tPOLYGON ((0 0,1 1,1 0))\n" }, { "csv", "x,y,z\n0,0,5\n" }, { "csv", "x y z\n0 0 5\n1 0 5\n" },
     { "csv", "id;LAT;LONG;ALT\n1;2,5;3,5;10\n" }, { "csv", "0,0,5\n1,0,5\n" }, { "csv", "0,5;0,5;5\n1;0;5\n" },
-    { "csv", "# x y z\n0 0 5\n1 0 5\n" }, { "csv", "sep=;\nx;y;z\n1;2;3\n" }, { "csv", "SRID=4326;LINESTRING (0 0,1 1)\n" },
+    { "csv", "# x y z\n0 0 5\n1 0 5\n" }, { "csv", "1,5\t2,5\t5\n3\t4\t5\n" }, { "csv", "sep=;\nx;y;z\n1;2;3\n" }, { "csv", "SRID=4326;LINESTRING (0 0,1 1)\n" },
     { "csv", "\"Point_X\",\"Point_Y\",\"Elev\"\n1,2,3\n" }, { "csv", "5,0,7\n6,0,7\n8,0,7\n" },
     { "bln", "2,1\n0,0\n1,1\n" }, { "bln", "2 1\n0 0\n1 1\n" }, { "bln", "2,1,\"5\"\n0,0\n1,1\n2,1,\"6\"\n0,0\n1,1\n" },
     { "bln", "2,0,5\n0,0\n1,1\n" }, { "bln", "3,1,\"5\"\n0,0\n1,1\n" }, { "bln", "\n2,1\n\n0,0,5\n1,1,5\n" },

@@ -221,6 +221,7 @@ static void look_at_row(const il_csv *c, il_csv_guess *out)
         if (out->hex == IL_CSV_NONE && il_wkt_is_hex(cell->text, cell->n))
             out->hex = k;
         out->numbers = out->numbers && is_number(cell, c->separator);
+        out->commas |= cell->n > 0 && c->separator != ',' && memchr(cell->text, ',', cell->n);
     }
 }
 
@@ -267,7 +268,7 @@ il_status il_csv_look(const void *head, size_t n, bool is_whole, il_csv_guess *o
  * between them, they are GMT's. */
 bool il_csv_guess_is_map(const il_csv_guess *g)
 {
-    bool is_plain = g->header == IL_CSV_NO_HEADER && g->numbers && g->n_records > 1 && g->separator != ' ' &&
-                    g->separator != '\t' && g->n_columns >= 2 && g->n_columns <= 3;
+    bool is_gmt = (g->separator == ' ' || g->separator == '\t') && !g->commas;
+    bool is_plain = g->header == IL_CSV_NO_HEADER && g->numbers && g->n_records > 1 && !is_gmt && g->n_columns >= 2 && g->n_columns <= 3;
     return !g->marks && (g->names_xy || g->names_geometry || g->geometry != IL_CSV_NONE || is_plain);
 }

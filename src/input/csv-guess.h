@@ -16,7 +16,8 @@
  * header: where the names of columns stand: in the first record, in a comment before it.
  * geometry, hex: the columns that hold well-known text, and binary in hexadecimals;
  * IL_CSV_NONE for none.  only_points: the texts are of points only.
- * names_xy, names_geometry: so does the header.  numbers: every cell is a number.
+ * names_xy, names_geometry: so does the header.  numbers: every cell is a number; commas:
+ * some have a comma for their point.
  * marks: a row begins with >, as GMT marks segments. */
 typedef struct il_csv_guess {
     char separator;
@@ -24,7 +25,7 @@ typedef struct il_csv_guess {
     size_t n_columns, n_records;
     enum { IL_CSV_NO_HEADER, IL_CSV_HEADER, IL_CSV_COMMENT } header;
     size_t geometry, hex;
-    bool only_points, names_xy, names_geometry, numbers, marks;
+    bool only_points, names_xy, names_geometry, numbers, commas, marks;
 } il_csv_guess;
 
 /* Look at HEAD[0..N); is_whole: it is all of the file.  Of the separators that which cuts

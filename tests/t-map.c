@@ -97,7 +97,7 @@ static il_status command(script *w, il_map_set *set, const char *word, il_error 
     } else if (strcmp(word, "unit") == 0) {
         const char *name = next(w);
         assert_true(il_unit_parse(name, strlen(name), &unit));
-        il_map_unit(set, unit);
+        return il_map_unit(set, unit, 1, err);
     } else {
         assert_string_equal(word, "f");
         st = end_part(w, set, err);
@@ -431,6 +431,17 @@ static void files_of_two_systems_are_no_map(void **state)
     assert_noted("its coordinate system, 'Grid B', is taken for the same as 'Grid A' before it");
 }
 
+static void files_of_two_units_are_no_map(void **state)
+{
+    const char *const files[] = { "unit mm " TWO("a elev 1", "a elev 2"), "unit m f a elev 3 line 1 1 9 9", NULL };
+    il_read_options o = defaults;
+    (void)state;
+    assert_string_equal(run(files, &o), "its unit is m, and mm before it (--unit says what both are)");
+    o.has_unit = true;
+    o.unit = IL_UNIT_M;
+    assert_string_equal(heights(run(files, &o)), " 1 2 3");
+}
+
 static void longitudes_run_across_the_antimeridian(void **state)
 {
     (void)state;
@@ -590,6 +601,7 @@ int main(void)
         cmocka_unit_test(project_none_keeps_degrees),
         cmocka_unit_test(project_asks_for_degrees),
         cmocka_unit_test(files_of_two_systems_are_no_map),
+        cmocka_unit_test(files_of_two_units_are_no_map),
         cmocka_unit_test(longitudes_run_across_the_antimeridian),
         cmocka_unit_test(maps_around_a_pole_are_stereographic),
         cmocka_unit_test(bands_have_lines_between_them),

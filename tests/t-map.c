@@ -235,7 +235,8 @@ static void a_height_is_found_behind_many_attributes(void **state)
         for (unsigned i = 0; i < 9; i++)
             p[(int)i - 11] = (char)(p[(int)i - 11] & ~(k >> i & 1 ? 0x20 : 0));
     }
-    assert_contains(read_map(text, NULL), "more than 200 attributes have names of heights");
+    assert_string_equal(heights(read_map(text, NULL)), " 1 2");
+    assert_noted("more than 200 attributes have names of heights; the others are not read");
 }
 
 static void other_names_are_no_heights(void **state)
@@ -431,6 +432,29 @@ static void files_of_two_systems_are_no_map(void **state)
     assert_noted("its coordinate system, 'Grid B', is taken for the same as 'Grid A' before it");
 }
 
+/* The stack would say of lengths that they are degrees. */
+static void a_system_that_is_denied_is_not_handed_on(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    read_map("crs EPSG:4326 f a elev 1 line 0 0 999 0 f a elev 2 line 0 9 999 9", NULL);
+    assert_noted("labelled as degrees (EPSG:4326)");
+    assert_contains(output, "unit m\n");
+    assert_null(strstr(output, "crs"));
+    o.has_unit = true;
+    o.unit = IL_UNIT_FT;
+    read_map("crs EPSG:4326 f a elev 1 line 9 50 9.1 50 f a elev 2 line 9 50.1 9.1 50.1", &o);
+    assert_contains(output, "unit ft\n");
+    assert_null(strstr(output, "crs"));
+}
+
+static void edges_stray_by_a_millionth_of_the_map(void **state)
+{
+    (void)state;
+    read_map("crs EPSG:4326 f a elev 1 line 0 60 20 60 f a elev 2 line 0 60.1 20 60.1", NULL);
+    assert_noted("none strays farther than 1.11"); /* 20 degrees on a parallel half as long as the equator */
+}
+
 static void files_of_two_units_are_no_map(void **state)
 {
     const char *const files[] = { "unit mm " TWO("a elev 1", "a elev 2"), "unit m f a elev 3 line 1 1 9 9", NULL };
@@ -601,6 +625,8 @@ int main(void)
         cmocka_unit_test(project_none_keeps_degrees),
         cmocka_unit_test(project_asks_for_degrees),
         cmocka_unit_test(files_of_two_systems_are_no_map),
+        cmocka_unit_test(a_system_that_is_denied_is_not_handed_on),
+        cmocka_unit_test(edges_stray_by_a_millionth_of_the_map),
         cmocka_unit_test(files_of_two_units_are_no_map),
         cmocka_unit_test(longitudes_run_across_the_antimeridian),
         cmocka_unit_test(maps_around_a_pole_are_stereographic),

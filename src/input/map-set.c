@@ -22,7 +22,7 @@ struct il_map_set {
     il_map map;
     uint32_t file;
     size_t guess;
-    bool has_told_crs;          /* that two files state theirs in different words */
+    bool has_told_crs, has_told_columns; /* that systems have different words; that columns are left out */
 };
 
 /* ---- points ------------------------------------------------------------------ */
@@ -110,8 +110,17 @@ static bool same_name(const char *a, const char *b, size_t n)
     return strlen(a) == n && memcmp(a, b, n) == 0; /* B may hold zero bytes */
 }
 
-/* *AT is the column NAME, made when it is new; n_columns when it is one too many that
- * does not matter. */
+/* A file that has so many names of heights is none that means something, but that
+ * is told. */
+static il_status leave_column_out(il_map_set *s, bool wanted)
+{
+    if (wanted && !s->has_told_columns)
+        il_report_note(s->map.report, "more than %d attributes have names of heights; the others are not read", COLUMNS_MOST);
+    s->has_told_columns |= wanted;
+    return IL_OK;
+}
+
+/* *AT is the column NAME, made when it is new; n_columns when it is one too many. */
 static il_status find_column(il_map_set *s, const char *name, size_t n, bool is_place, size_t *at, il_error *err)
 {
     il_map *m = &s->map;
@@ -122,10 +131,8 @@ static il_status find_column(il_map_set *s, const char *name, size_t n, bool is_
     }
     bool wanted = is_place || il_map_heights_wants(m->options, name, n);
     *at = m->n_columns;
-    if (m->n_columns >= COLUMNS_MOST && !wanted)
-        return IL_OK;
-    if (m->n_columns >= 2 * COLUMNS_MOST)
-        return il_fail(err, IL_E_INPUT, 0, "more than %d attributes have names of heights", COLUMNS_MOST);
+    if (m->n_columns >= (wanted ? 2 * COLUMNS_MOST : COLUMNS_MOST))
+        return leave_column_out(s, wanted);
     char *copy = il_strndup(name, n);
     if (!copy || !il_grow(&m->column, &m->cap_columns, m->n_columns + 1, sizeof *m->column)) {
         il_free(copy);

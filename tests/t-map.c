@@ -97,7 +97,7 @@ static il_status command(script *w, il_map_set *set, const char *word, il_error 
     } else if (strcmp(word, "unit") == 0) {
         const char *name = next(w);
         assert_true(il_unit_parse(name, strlen(name), &unit));
-        il_map_unit(set, unit);
+        return il_map_unit(set, unit, 1, err);
     } else {
         assert_string_equal(word, "f");
         st = end_part(w, set, err);
@@ -449,6 +449,40 @@ static void files_of_two_systems_are_no_map(void **state)
     assert_noted("its coordinate system, 'Grid B', is taken for the same as 'Grid A' before it");
 }
 
+/* The stack would say of lengths that they are degrees. */
+static void a_system_that_is_denied_is_not_handed_on(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    read_map("crs EPSG:4326 f a elev 1 line 0 0 999 0 f a elev 2 line 0 9 999 9", NULL);
+    assert_noted("labelled as degrees (EPSG:4326)");
+    assert_contains(output, "unit m\n");
+    assert_null(strstr(output, "crs"));
+    o.has_unit = true;
+    o.unit = IL_UNIT_FT;
+    read_map("crs EPSG:4326 f a elev 1 line 9 50 9.1 50 f a elev 2 line 9 50.1 9.1 50.1", &o);
+    assert_contains(output, "unit ft\n");
+    assert_null(strstr(output, "crs"));
+}
+
+static void edges_stray_by_a_millionth_of_the_map(void **state)
+{
+    (void)state;
+    read_map("crs EPSG:4326 f a elev 1 line 0 60 20 60 f a elev 2 line 0 60.1 20 60.1", NULL);
+    assert_noted("none strays farther than 1.11"); /* 20 degrees on a parallel half as long as the equator */
+}
+
+static void files_of_two_units_are_no_map(void **state)
+{
+    const char *const files[] = { "unit mm " TWO("a elev 1", "a elev 2"), "unit m f a elev 3 line 1 1 9 9", NULL };
+    il_read_options o = defaults;
+    (void)state;
+    assert_string_equal(run(files, &o), "its unit is m, and mm before it (--unit says what both are)");
+    o.has_unit = true;
+    o.unit = IL_UNIT_M;
+    assert_string_equal(heights(run(files, &o)), " 1 2 3");
+}
+
 static void longitudes_run_across_the_antimeridian(void **state)
 {
     (void)state;
@@ -668,6 +702,9 @@ int main(void)
         cmocka_unit_test(project_none_keeps_degrees),
         cmocka_unit_test(project_asks_for_degrees),
         cmocka_unit_test(files_of_two_systems_are_no_map),
+        cmocka_unit_test(a_system_that_is_denied_is_not_handed_on),
+        cmocka_unit_test(edges_stray_by_a_millionth_of_the_map),
+        cmocka_unit_test(files_of_two_units_are_no_map),
         cmocka_unit_test(longitudes_run_across_the_antimeridian),
         cmocka_unit_test(maps_around_a_pole_are_stereographic),
         cmocka_unit_test(bands_have_lines_between_them),

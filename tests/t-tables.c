@@ -290,8 +290,8 @@ static void a_line_ends_where_it_is_closed(void **state)
 static void numbers_of_lines_divide_and_nothing_else_does(void **state)
 {
     (void)state;
-    assert_read(&il_reader_csv, "part,x,y,z\na,0,0,5\na,9,0,5\na,0,0,5\na,9,9,5\nb,9,8,5\nb,0,0,5\nb,0,0,5\nb,1,1,5\nc,1,2,6\nc,1,3,6\n",
-                "5: line 0 0 9 0 0 0 9 9 line 9 8 0 0 0 0 1 1\n6: line 1 2 1 3\n");
+    assert_read(&il_reader_csv, "part,x,y,z\na,0,0,5\na,9,0,5\na,0,0,5\na,9,9,5\nb,9,8,5\nb,0,0,5\nb,0,0,5\nb,1,2,5\nc,1,2,6\nc,1,3,6\n",
+                "5: line 0 0 9 0 0 0 9 9 line 9 8 0 0 0 0 1 2\n6: line 1 2 1 3\n");
 }
 
 /* ---- counted and told --------------------------------------------------------------------- */

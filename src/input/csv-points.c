@@ -164,14 +164,14 @@ il_status il_csv_read_points(il_csv_table *t)
 {
     points p = { .table = t, .mark = t->csv.separator == ',' ? '.' : 0 };
     bool more;
-    il_status st;
+    il_status st = IL_OK;
     il_map_rows_init(&p.rows, t->options);
     find_columns(&p);
     if (t->is_degrees)
         il_map_degrees(t->set);
     else if (t->has_unit)
-        il_map_unit(t->set, t->unit);
-    while ((st = il_csv_next_row(t, &more)) == IL_OK && more)
+        st = il_map_unit(t->set, t->unit, t->csv.line, t->err);
+    while (st == IL_OK && (st = il_csv_next_row(t, &more)) == IL_OK && more)
         if ((st = take_row(&p)) != IL_OK)
             break;
     if (st == IL_OK)

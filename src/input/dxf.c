@@ -40,10 +40,9 @@ static il_status take_unit(il_dxf *d, il_error *err)
         return st;
     for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
         if (units[k].number == value) {
-            il_map_unit(d->set, units[k].unit);
             if (units[k].number == SURVEY_FEET)
                 il_report_note(report, "US survey feet ($INSUNITS 21) are taken as feet, which are 2 millionths shorter");
-            return IL_OK;
+            return il_map_unit(d->set, units[k].unit, d->scan.line + 1, err);
         }
     }
     if (value == INCHES)

@@ -1,5 +1,6 @@
 #include "config.h"
 #include "input/map-degrees.h"
+#include "base/alloc.h"
 #include "input/map-refuse.h"
 
 #include <math.h>
@@ -131,6 +132,15 @@ static il_status fail_impossible(const il_map *m, const char *asked, il_error *e
                    il_map_box_words(m, box, sizeof box), asked);
 }
 
+/* The stack must not say of lengths that they are degrees. */
+static void forget_crs(il_map *m)
+{
+    il_free(m->crs);
+    m->crs = NULL;
+    m->meaning.kind = IL_CRS_UNKNOWN;
+    m->meaning.epsg = 0;
+}
+
 static void tell_disbelief(const il_map *m)
 {
     bool swapped = m->box[1] >= -180 && m->box[3] <= 180 && m->box[0] >= -90 && m->box[2] <= 90;
@@ -150,8 +160,11 @@ static il_status decide(il_map *m, il_error *err)
     m->degrees = false;
     if (!o->has_unit && m->meaning.kind == IL_CRS_GEOGRAPHIC && m->meaning.odd_unit)
         return il_fail(err, IL_E_INPUT, 0, "its angles are not degrees (%.80s): ogr2ogr -t_srs EPSG:4326 makes degrees of them", m->crs);
-    if (o->has_unit && o->unit != IL_UNIT_DEG)
+    if (o->has_unit && o->unit != IL_UNIT_DEG) {
+        if (labelled)
+            forget_crs(m);
         return asked ? il_fail(err, IL_E_USAGE, 0, "--project has nothing to project where --unit says lengths") : IL_OK;
+    }
     if (o->has_unit || (asked && !labelled)) {
         const char *by = o->has_unit ? "--unit deg" : "--project";
         if (!o->has_unit && lengths)
@@ -163,12 +176,14 @@ static il_status decide(il_map *m, il_error *err)
     m->degrees = labelled ? il_map_can_be_degrees(m) : !lengths && looks_like_degrees(m);
     if (labelled && !m->degrees && asked)
         return fail_impossible(m, "--project", err);
-    if (labelled && !m->degrees)
+    if (labelled && !m->degrees) {
         tell_disbelief(m);
-    else if (!labelled && m->degrees)
+        forget_crs(m);
+    } else if (!labelled && m->degrees) {
         il_report_note(m->report, "%s%.60s%s; numbers and relief are those of degrees, so they are taken as such "
                                   "(--unit m: as metres)", m->crs ? "the coordinate system '" : "no coordinate system given",
                        m->crs ? m->crs : "", m->crs ? "' is not known here" : "");
+    }
     return IL_OK;
 }
 

@@ -146,7 +146,8 @@ static il_status densify_map(densify *d, il_error *err)
 
 static double default_tolerance(const il_map *m)
 {
-    double dx = m->box[2] - m->box[0], dy = m->box[3] - m->box[1];
+    double lat = (m->box[1] + m->box[3]) / 2 * pi / 180;
+    double dx = (m->box[2] - m->box[0]) * cos(lat), dy = m->box[3] - m->box[1];
     return fmax(0.01, 1e-6 * metres_a_degree * hypot(dx, dy));
 }
 

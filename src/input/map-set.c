@@ -259,10 +259,15 @@ void il_map_degrees(il_map_set *s)
     s->map.degrees = true;
 }
 
-void il_map_unit(il_map_set *s, il_unit unit)
+il_status il_map_unit(il_map_set *s, il_unit unit, long line, il_error *err)
 {
-    s->map.has_unit = true;
-    s->map.unit = unit;
+    il_map *m = &s->map;
+    if (m->has_unit && m->unit != unit && !m->options->has_unit)
+        return il_fail(err, IL_E_INPUT, line, "its unit is %s, and %s before it (--unit says what both are)",
+                       il_unit_name(unit), il_unit_name(m->unit));
+    m->has_unit = true;
+    m->unit = unit;
+    return IL_OK;
 }
 
 il_report *il_map_report(il_map_set *s)

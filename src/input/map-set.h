@@ -57,8 +57,9 @@ il_status il_map_crs(il_map_set *s, const char *text, size_t n, long line, il_er
  * their columns. */
 void il_map_degrees(il_map_set *s);
 
-/* What one x, y and z of the file is, where the file says so (DXF's $INSUNITS). */
-void il_map_unit(il_map_set *s, il_unit unit);
+/* What one x, y and z of the file is, where the file says so (DXF's $INSUNITS).  Two files
+ * must not say different things (IL_E_INPUT), unless the user says what it is. */
+il_status il_map_unit(il_map_set *s, il_unit unit, long line, il_error *err);
 
 /* For what the parser leaves out or wonders about: the set's report (may be null)
  * and the name of the file at hand. */

@@ -1,6 +1,7 @@
 # memory.sh - every allocation failing in turn, and memory that does not run away.
 . "$srcdir/tests/tap.sh"
 . "$srcdir/tests/rt-forms.sh"
+. "$srcdir/tests/maps-forms.sh"
 
 block small >block.loft
 "$ISOLOFT" block.loft -t ply >block.ply
@@ -80,6 +81,26 @@ starve "and a tilted one, turned" "$ISOLOFT" "$srcdir/formats/dcmdump/valid/v_ti
 printf 'isoloft 1\nunit m\nstack "hill"\nkind terrain\nslice 5\nline\n0 0\n1 0\n2 0\nline\n1 0\n2 0\n3 0\nline\n3.5 0\n9 0\nline\n7 7\nring\n0 5\n1 5\n1 6\nend\n' >lines.loft
 starve "so do isolines, joined" "$ISOLOFT" read lines.loft --join 1 -o box/l.loft
 starve "and described" "$ISOLOFT" info lines.loft
+# A few isolines, two of them of one line, in every format; degrees are projected.
+few() { relief "$1" | awk 'NR < 3 || NR > 8 { print $1, $2, $3, $4, $5, $6 } NR == 2 { print $1, $6, $7 }'; }
+echo "$map_forms" >forms
+while read -r form reader units; do
+    [ -n "$form" ] && is_read "$reader" || continue
+    few "${units##* }" | map_as "$form" "${units##* }" >map.$form
+    starve "so does a map in the form of $form" "$ISOLOFT" read map.$form -o box/m.loft
+done <forms
+few degrees | map_as geojson degrees >map.geojson
+starve "and one joined over gaps, by one of its attributes" "$ISOLOFT" read map.geojson --height elev --join 500 --project utm -o box/m.loft
+starve "and described" "$ISOLOFT" info map.geojson --json
+awk 'BEGIN {
+    print "min,max,wkt"
+    for (k = 0; k < 4; k++)
+        printf "%d,%d,\"POLYGON((%d 0,%d 0,%d 9,%d 9,%d 0))\"\n", k, k + 1, 9 * k, 9 * k + 9, 9 * k + 9, 9 * k, 9 * k }' >bands.csv
+starve "and bands" "$ISOLOFT" read bands.csv --unit m -o box/m.loft
+for name in code_page float index_leaves_out; do
+    cp "$srcdir/formats/shp/valid/v_$name".* .
+    starve "and a shapefile: $name" "$ISOLOFT" read v_$name.shp -o box/m.loft
+done
 starve "so does check of a mesh" "$ISOLOFT" check block.ply
 starve "so does check of a stream" "$ISOLOFT" check block.loft
 exits 5 "out of memory is exit 5" env ISOLOFT_TEST_ALLOC=0 "$ISOLOFT" block.loft

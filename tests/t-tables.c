@@ -402,15 +402,19 @@ static void every_failing_allocation_is_survived(void **state)
     assert_survives(&il_reader_bln, "2,1,\"5\"\n0,0\n9,9\n2,1,\"6\"\n0,0\n9,9\n");
 }
 
-/* The probe of tables needs memory; without it no format is told, and nothing else happens. */
+/* Without memory the probe of tables tells of no format, and look says why. */
 static void a_probe_without_memory_says_no(void **state)
 {
     (void)state;
     static const char text[] = "x,y,z\n0,0,5\n1,0,5\n";
     for (long k = 0; k < 8; k++) {
         il_alloc_test_fail_after(k);
-        (void)il_reader_csv.probe((const unsigned char *)text, sizeof text - 1);
+        bool is = il_reader_csv.probe((const unsigned char *)text, sizeof text - 1), is_now = true;
+        il_alloc_test_fail_after(k);
+        il_status st = il_reader_csv.look((const unsigned char *)text, sizeof text - 1, &is_now, NULL);
         il_alloc_test_fail_after(-1);
+        assert_int_equal(is_now, is);
+        assert_int_equal(st, is ? IL_OK : IL_E_NOMEM);
     }
     assert_true(il_reader_csv.probe((const unsigned char *)text, sizeof text - 1));
 }

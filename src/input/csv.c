@@ -213,11 +213,21 @@ static il_status read_all(il_source *const *source, size_t n, const il_read_opti
     return il_map_read("CSV", parse, source, n, options, sink, report, err);
 }
 
-static bool probe(const unsigned char *head, size_t n)
+static il_status look(const unsigned char *head, size_t n, bool *is, il_error *err)
 {
     il_csv_guess g;
-    return il_map_text_is_plain(head, n) && il_csv_look(head, n, n < IL_MAP_TEXT_HEAD, &g, NULL) == IL_OK &&
-           il_csv_guess_is_map(&g) && !il_reader_bln.probe(head, n);
+    *is = false;
+    if (!il_map_text_is_plain(head, n))
+        return IL_OK;
+    il_status st = il_csv_look(head, n, n < IL_MAP_TEXT_HEAD, &g, err);
+    *is = st == IL_OK && il_csv_guess_is_map(&g) && !il_reader_bln.probe(head, n);
+    return st;
+}
+
+static bool probe(const unsigned char *head, size_t n)
+{
+    bool is;
+    return look(head, n, &is, NULL) == IL_OK && is;
 }
 
 const il_reader il_reader_csv = {
@@ -226,5 +236,6 @@ const il_reader il_reader_csv = {
     .words = "isolines as separated values: WKT, or x, y and height",
     .is_map = true,
     .probe = probe,
+    .look = look,
     .read = read_all,
 };

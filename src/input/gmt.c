@@ -228,31 +228,24 @@ static bool is_row(il_map_text t, bool *has_mark)
     return true;
 }
 
-/* Rows without marks, of which neither a comment says that it is another table nor the
- * first that they are counted. */
-static bool is_table(const unsigned char *head, size_t n)
-{
-    il_csv_guess g;
-    return !il_reader_bln.probe(head, n) && il_csv_look(head, n, n < IL_MAP_TEXT_HEAD, &g, NULL) == IL_OK && !g.names_xy;
-}
+/* A table of rows only is GMT's unless something else shows that it is not. */
+typedef enum answer { NO, YES, ROWS_ONLY } answer;
 
 /* OGR's first line; or a row behind a mark of segments, with no line before it that is of
  * another kind than a few of text; or rows only, with nothing but blanks between their
  * numbers. */
-static bool probe(const unsigned char *head, size_t n)
+static answer look_at_lines(const unsigned char *head, size_t n)
 {
     enum { TEXTS_MOST = 10 };
     size_t at = 0, texts = 0, rows = 0;
     bool whole, marked = false, has_mark = false;
     il_map_text t;
-    if (!il_map_text_is_plain(head, n))
-        return false;
     while (il_map_text_head(head, n, &at, &t, &whole)) {
         if (t.p == t.end || (!whole && n >= IL_MAP_TEXT_HEAD))
             continue;
         size_t length = (size_t)(t.end - t.p);
         if (*t.p == '#' && length >= 7 && il_text_contains(t.p, length, "@VGMT"))
-            return true;
+            return YES;
         if (*t.p == '>')
             marked = true;
         else if (*t.p == '#')
@@ -260,11 +253,31 @@ static bool probe(const unsigned char *head, size_t n)
         else if (is_row(t, &has_mark))
             rows++;
         else if (marked || rows > 0 || ++texts > TEXTS_MOST)
-            return false;
+            return NO;
         if (marked && rows > 0)
-            return true;
+            return YES;
     }
-    return !marked && texts == 0 && rows > 1 && !has_mark && is_table(head, n);
+    return !marked && texts == 0 && rows > 1 && !has_mark ? ROWS_ONLY : NO;
+}
+
+/* Of rows only, no comment may say that it is another table, nor the first row that they
+ * are counted. */
+static il_status look(const unsigned char *head, size_t n, bool *is, il_error *err)
+{
+    answer a = il_map_text_is_plain(head, n) ? look_at_lines(head, n) : NO;
+    il_csv_guess g;
+    *is = a == YES;
+    if (a != ROWS_ONLY || il_reader_bln.probe(head, n))
+        return IL_OK;
+    il_status st = il_csv_look(head, n, n < IL_MAP_TEXT_HEAD, &g, err);
+    *is = st == IL_OK && !g.names_xy;
+    return st;
+}
+
+static bool probe(const unsigned char *head, size_t n)
+{
+    bool is;
+    return look(head, n, &is, NULL) == IL_OK && is;
 }
 
 const il_reader il_reader_gmt = {
@@ -273,5 +286,6 @@ const il_reader il_reader_gmt = {
     .words = "isolines as GMT's multi-segment tables, OGR/GMT",
     .is_map = true,
     .probe = probe,
+    .look = look,
     .read = read_all,
 };

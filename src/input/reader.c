@@ -68,6 +68,14 @@ static il_status fail_binary_dicom(const char *name, il_error *err)
     return il_fail(err, IL_E_INPUT, 0, "is a binary DICOM file; dcmdump +L %s | isoloft reads its text", quoted);
 }
 
+static il_status looks_like(const il_reader *r, const unsigned char *head, size_t n, bool *is, il_error *err)
+{
+    if (r->look)
+        return r->look(head, n, is, err);
+    *is = r->probe(head, n);
+    return IL_OK;
+}
+
 il_status il_reader_detect(il_source *source, const il_reader **out, il_error *err)
 {
     const unsigned char *head;
@@ -75,12 +83,16 @@ il_status il_reader_detect(il_source *source, const il_reader **out, il_error *e
     il_status st = il_source_peek(source, PROBE_BYTES, &head, &n, err);
     if (st != IL_OK)
         return st;
-    for (const il_reader *const *r = il_readers; *r; r++) {
-        if ((*r)->probe(head, n)) {
+    bool is = false;
+    for (const il_reader *const *r = il_readers; *r && st == IL_OK; r++) {
+        st = looks_like(*r, head, n, &is, err);
+        if (st == IL_OK && is) {
             *out = *r;
             return IL_OK;
         }
     }
+    if (st != IL_OK)
+        return st;
     if (il_shp_is_part(il_source_name(source)))
         st = il_shp_fail_part(err);
     else if (n == 0)

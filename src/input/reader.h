@@ -62,6 +62,8 @@ enum {
  * coordinates are LPS, slices may be missing, and an empty one says nothing.
  * is_map: isolines; options.map is for them.
  * probe: do the first N bytes look like this format?
+ * look: the same into *IS for formats of which only a try at reading tells, so that want
+ * of memory (IL_E_NOMEM) is not taken for another format; null for the others.
  * read: read all of the N sources, in the order given, as one set into SINK
  * (many for formats whose files are slices; native streams follow one another).
  * A failure is reported in *ERR with the source's name and the line. */
@@ -69,6 +71,7 @@ typedef struct il_reader {
     const char *name, *extensions, *words;
     bool is_patient, is_map;
     bool (*probe)(const unsigned char *head, size_t n);
+    il_status (*look)(const unsigned char *head, size_t n, bool *is, il_error *err);
     il_status (*read)(il_source *const *source, size_t n, const il_read_options *options,
                       il_sink *sink, il_report *report, il_error *err);
 } il_reader;

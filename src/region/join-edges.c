@@ -124,7 +124,7 @@ static uint32_t find_edge(search *s, uint32_t l, uint32_t v, uint64_t hash)
         if (s->table[i].hash == hash && same_edge(a, b, other->xy + 2 * (size_t)e->vertex, end_of(other, e->vertex)))
             return s->table[i].edge - 1;
     }
-    s->out->edge[s->out->n] = (il_shared_edge){ .line = l, .vertex = v, .next = { IL_NO_EDGE, IL_NO_EDGE } };
+    s->out->edge[s->out->n] = (il_shared_edge){ .line = l, .vertex = v, .is_within = true, .next = { IL_NO_EDGE, IL_NO_EDGE } };
     s->table[i] = (slot){ hash, (uint32_t)++s->out->n };
     return s->table[i].edge - 1;
 }
@@ -134,6 +134,7 @@ static void take_edge(search *s, uint32_t l, uint32_t v, uint64_t hash)
     const il_ring *r = &s->slice->ring[l];
     uint32_t at = find_edge(s, l, v, hash);
     il_shared_edge *e = &s->out->edge[at];
+    e->is_within &= e->line == l;
     e->is_shared |= e->line != l || e->vertex != v;
     e->net += il_vertex_compare(r->xy + 2 * (size_t)v, end_of(r, v)) < 0 ? 1 : -1;
     s->found[s->n_found++] = (occurrence){ l, v, at };

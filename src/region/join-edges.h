@@ -10,7 +10,7 @@
 #define IL_NO_EDGE UINT32_MAX
 
 /* An edge.  line, vertex: where it was met first; it leads from there to the next
- * vertex.  is_shared: it came again.  net: how many copies run from its lesser end (by x, then
+ * vertex.  is_shared: it came again; is_within: in the same line.  net: how many copies run from its lesser end (by x, then
  * y) to the greater, less those that run back.
  * For il_pieces_cut: next[k], at its lesser (0) and greater (1) end: the shared edge
  * that follows it there.  splits[k]: not the same one does wherever it comes.  kept:
@@ -18,7 +18,7 @@
 typedef struct il_shared_edge {
     uint32_t line, vertex, next[2];
     int32_t net;
-    bool is_shared, splits[2], kept;
+    bool is_within, is_shared, splits[2], kept;
 } il_shared_edge;
 
 /* of[l]: null when line l has none that is shared; else of[l][v] is the index of the

@@ -4,6 +4,7 @@
 #include "model/order.h"
 #include "region/join-chains.h"
 #include "region/join-gaps.h"
+#include "region/join-prune.h"
 #include "region/joiner.h"
 
 #include <math.h>
@@ -101,12 +102,13 @@ static bool index_places(const il_ends *e, il_keymap *at)
     return ok;
 }
 
-/* The edges of R that lead from one place to another. */
-static bool find_edges(const il_ring *r, const il_keymap *at, il_keymap *edges)
+/* The edges of Q that lead from one place to another. */
+static bool find_edges(const il_piece *q, const il_slice *s, const il_keymap *at, il_keymap *edges)
 {
     uint32_t before = IL_NO_END;
-    for (size_t k = 0; k < r->n + !r->open; k++) {
-        const double *p = r->xy + 2 * (k < r->n ? k : 0);
+    bool is_ring = q->whole && q->closed;
+    for (size_t k = 0; k < q->n + is_ring; k++) {
+        const double *p = il_piece_vertex(q, s, k < q->n ? k : 0);
         uint32_t place = il_keymap_get(at, il_keymap_double(p[0]), il_keymap_double(p[1]), IL_NO_END);
         if (place != IL_NO_END && before != IL_NO_END && !il_keymap_put(edges, IL_KEYMAP_EDGE(before, place), 1))
             return false;
@@ -120,8 +122,8 @@ static il_status bridge_gaps(level *l, double distance, size_t *n, double *large
     il_keymap at = IL_KEYMAP_INIT, edges = IL_KEYMAP_INIT;
     double widest = 0;
     bool ok = index_places(&l->ends, &at);
-    for (size_t i = 0; i < l->slice->n && ok; i++)
-        ok = find_edges(&l->slice->ring[i], &at, &edges);
+    for (size_t i = 0; i < l->pieces.n && ok; i++)
+        ok = find_edges(&l->pieces.piece[i], l->slice, &at, &edges);
     il_status st = ok ? il_ends_bridge(&l->ends, distance, &edges, n, &widest, err) : il_fail_nomem(err);
     *largest = fmax(*largest, widest);
     il_keymap_free(&at);
@@ -158,6 +160,8 @@ static il_status join_lines(level *l, const il_join_options *o, il_report *repor
     il_status st = il_shared_edges_find(&l->edges, l->slice, err);
     if (st == IL_OK)
         st = il_pieces_cut(&l->pieces, l->slice, &l->edges, report, err);
+    if (st == IL_OK)
+        st = il_pieces_prune(&l->pieces, l->slice, &l->edges, report, err);
     if (st == IL_OK)
         st = join_ends(l, o, report, largest, err);
     const il_chains c = { l->slice, &l->edges, &l->pieces, &l->ends, l->open_piece };

@@ -376,11 +376,6 @@ static il_status read_all(il_source *const *source, size_t n, const il_read_opti
 
 /* ---- the probe ------------------------------------------------------------------------- */
 
-static bool is_word(const char *s, size_t n, const char *word)
-{
-    return n == strlen(word) && memcmp(s, word, n) == 0;
-}
-
 /* kml, or a piece of it: Placemark, or what holds them if it shows that it is KML's. */
 static bool probe(const unsigned char *head, size_t n)
 {
@@ -391,9 +386,9 @@ static bool probe(const unsigned char *head, size_t n)
     size_t skip = colon ? (size_t)(colon - name) + 1 : 0;
     name += skip;
     n_name -= skip;
-    if (is_word(name, n_name, "kml") || is_word(name, n_name, "Placemark"))
+    if (il_text_is(name, n_name, "kml") || il_text_is(name, n_name, "Placemark"))
         return true;
-    bool may_be = is_word(name, n_name, "Document") || is_word(name, n_name, "Folder");
+    bool may_be = il_text_is(name, n_name, "Document") || il_text_is(name, n_name, "Folder");
     return may_be && (il_text_contains(s, n, "<Placemark") || il_text_contains(s, n, "/kml/2"));
 }
 

@@ -44,17 +44,17 @@ static bool same_point(const double *p, const double *q)
     return p[0] == q[0] && p[1] == q[1];
 }
 
-static size_t hash_point(const double *p)
+/* The address makes hashes of a run its own, so that no file can be made to have them
+ * all alike. */
+static uint64_t hash_point(const borders *b, const double *p)
 {
-    uint64_t h = il_keymap_double(p[0]) * UINT64_C(0x9E3779B97F4A7C15) ^ il_keymap_double(p[1]);
-    h *= UINT64_C(0xC2B2AE3D27D4EB4F);
-    return (size_t)(h ^ h >> 29);
+    return il_keymap_mix(il_keymap_mix(il_keymap_double(p[0]) ^ (uintptr_t)b->table) + il_keymap_double(p[1]));
 }
 
 /* The two ends add up, so that the direction does not count. */
-static size_t hash_edge(const double *p, const double *q)
+static size_t hash_edge(const borders *b, const double *p, const double *q)
 {
-    return (hash_point(p) + hash_point(q)) * (size_t)UINT64_C(0x9E3779B97F4A7C15) >> 7;
+    return (size_t)il_keymap_mix(hash_point(b, p) + hash_point(b, q));
 }
 
 static bool same_edge(const borders *b, size_t e, const double *p, const double *q)
@@ -71,7 +71,7 @@ static void enter_edge(borders *b, const il_map_line *l, size_t e)
     const double *p = point(b, e), *q = point(b, next_point(l, e));
     if (same_point(p, q))
         return;
-    for (size_t k = hash_edge(p, q) & b->mask;; k = (k + 1) & b->mask) {
+    for (size_t k = hash_edge(b, p, q) & b->mask;; k = (k + 1) & b->mask) {
         uint32_t at = b->table[k];
         bool same = at != NONE && same_edge(b, at, p, q);
         if (same && b->partner[at] == NONE) {
@@ -138,7 +138,7 @@ static uint64_t hash_outline(const borders *b, const il_map_line *l)
 {
     uint64_t sum = 0;
     for (size_t p = l->begin; p < l->begin + l->n; p++)
-        sum += hash_point(point(b, p));
+        sum += hash_point(b, point(b, p));
     return sum;
 }
 

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 size_t il_utf8_char(const char *s, size_t n, unsigned long *code)
 {
@@ -81,6 +82,16 @@ size_t il_text_printable(char *to, size_t size, const char *s, size_t n)
     if (size > 0)
         to[used] = '\0';
     return used;
+}
+
+bool il_text_is(const char *s, size_t n, const char *word)
+{
+    return strlen(word) == n && memcmp(s, word, n) == 0;
+}
+
+bool il_text_is_word(const char *s, size_t n, const char *word)
+{
+    return strlen(word) == n && strncasecmp(s, word, n) == 0;
 }
 
 bool il_text_begins(const char *s, size_t n, const char *with)

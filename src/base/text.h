@@ -21,6 +21,10 @@ size_t il_utf8_encode(char to[4], unsigned long code);
 
 bool il_utf8_valid(const char *s, size_t n);
 
+/* Are the N bytes at S the text WORD; without regard to the case of ASCII letters? */
+bool il_text_is(const char *s, size_t n, const char *word);
+bool il_text_is_word(const char *s, size_t n, const char *word);
+
 /* Do the N bytes at S begin with the text WITH, and do they contain the text WHAT? */
 bool il_text_begins(const char *s, size_t n, const char *with);
 bool il_text_contains(const char *s, size_t n, const char *what);

@@ -2,10 +2,8 @@
  * columns are its attributes. */
 #include "config.h"
 #include "input/csv.h"
+#include "base/text.h"
 #include "input/wkt.h"
-
-#include <string.h>
-#include <strings.h>
 
 static il_status tell_values(il_csv_table *t)
 {
@@ -23,7 +21,7 @@ static bool is_null(const il_csv_cell *c)
 {
     static const char *const words[] = { "", "NULL", "\\N", "None", "NaN", "NA" };
     for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-        if (strlen(words[k]) == c->n && strncasecmp(c->text, words[k], c->n) == 0)
+        if (il_text_is_word(c->text, c->n, words[k]))
             return true;
     return false;
 }

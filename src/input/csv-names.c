@@ -1,8 +1,9 @@
 #include "config.h"
 #include "input/csv-names.h"
+#include "base/text.h"
+#include "input/map-value.h"
 
 #include <string.h>
-#include <strings.h>
 
 enum { NAME_MOST = 64 };
 
@@ -19,11 +20,6 @@ static const struct { const char *word; il_csv_pair pair; bool is_y; } axes[] = 
     { "long", IL_CSV_DEGREES, false }, { "lng", IL_CSV_DEGREES, false },
     { "longitude", IL_CSV_DEGREES, false }, { "latitude", IL_CSV_DEGREES, true } };
 
-static const struct { const char *word; il_unit unit; } units[] = {
-    { "m", IL_UNIT_M }, { "metre", IL_UNIT_M }, { "metres", IL_UNIT_M }, { "meter", IL_UNIT_M }, { "meters", IL_UNIT_M },
-    { "ft", IL_UNIT_FT }, { "foot", IL_UNIT_FT }, { "feet", IL_UNIT_FT }, { "km", IL_UNIT_KM }, { "cm", IL_UNIT_CM },
-    { "mm", IL_UNIT_MM } };
-
 static const char *const fillers[] = { "coord", "coordinate", "point", "pt", "vertex", "utm", "wgs84", "dd", "deg", "degrees" };
 
 static const char *const line_numbers[] = {
@@ -38,33 +34,25 @@ static const char *const geometries[] = { "wkt", "geom", "the_geom", "geometry",
 static bool is_one_of(const char *name, size_t n, const char *const *words, size_t n_words)
 {
     for (size_t k = 0; k < n_words; k++)
-        if (strlen(words[k]) == n && strncasecmp(name, words[k], n) == 0)
+        if (il_text_is_word(name, n, words[k]))
             return true;
     return false;
-}
-
-static bool is_word(const char *s, size_t n, const char *word)
-{
-    return strlen(word) == n && strncasecmp(s, word, n) == 0;
 }
 
 /* A word of a name; *FOUND: the coordinate was there. */
 static bool take_word(const char *s, size_t n, il_csv_axis *out, bool *found)
 {
     for (size_t k = 0; k < sizeof axes / sizeof *axes && !*found; k++) {
-        if (is_word(s, n, axes[k].word)) {
+        if (il_text_is_word(s, n, axes[k].word)) {
             out->pair = axes[k].pair;
             out->is_y = axes[k].is_y;
             *found = true;
             return true;
         }
     }
-    for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
-        if (is_word(s, n, units[k].word)) {
-            out->has_unit = true;
-            out->unit = units[k].unit;
-            return true;
-        }
+    if (il_map_unit_word(s, n, &out->unit)) {
+        out->has_unit = true;
+        return true;
     }
     return is_one_of(s, n, fillers, sizeof fillers / sizeof *fillers);
 }

@@ -317,11 +317,6 @@ static const char *line_at(const char *s, size_t n, size_t *i, size_t *length)
     return line;
 }
 
-static bool is_word(const char *s, size_t n, const char *word)
-{
-    return strlen(word) == n && memcmp(s, word, n) == 0;
-}
-
 /* The first pair that is no comment is 0, SECTION. */
 static bool probe(const unsigned char *head, size_t n)
 {
@@ -331,8 +326,8 @@ static bool probe(const unsigned char *head, size_t n)
         return true;
     while (i < n) {
         const char *code = line_at(s, n, &i, &n_code), *value = line_at(s, n, &i, &n_value);
-        if (!is_word(code, n_code, "999"))
-            return is_word(code, n_code, "0") && is_word(value, n_value, "SECTION");
+        if (!il_text_is(code, n_code, "999"))
+            return il_text_is(code, n_code, "0") && il_text_is(value, n_value, "SECTION");
     }
     return false;
 }

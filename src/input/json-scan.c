@@ -162,14 +162,9 @@ static bool is_number(const char *s, size_t n)
     return digits > 0 && i == n;
 }
 
-static bool is_word(const char *s, size_t n, const char *word)
-{
-    return n == strlen(word) && memcmp(s, word, n) == 0;
-}
-
 static bool is_without_value(const char *s, size_t n)
 {
-    return is_word(s, n, "NaN") || is_word(s, n, "Infinity") || is_word(s, n, "-Infinity");
+    return il_text_is(s, n, "NaN") || il_text_is(s, n, "Infinity") || il_text_is(s, n, "-Infinity");
 }
 
 static il_status take_word(il_json_scan *j, il_json_event *event, il_error *err)
@@ -194,11 +189,11 @@ static il_status take_word(il_json_scan *j, il_json_event *event, il_error *err)
         return check_length(j, n, err);
     if (is_number(s, n) || is_without_value(s, n))
         *event = IL_JSON_NUMBER;
-    else if (is_word(s, n, "true"))
+    else if (il_text_is(s, n, "true"))
         *event = IL_JSON_TRUE;
-    else if (is_word(s, n, "false"))
+    else if (il_text_is(s, n, "false"))
         *event = IL_JSON_FALSE;
-    else if (is_word(s, n, "null"))
+    else if (il_text_is(s, n, "null"))
         *event = IL_JSON_NULL;
     else
         return il_fail(err, IL_E_INPUT, j->line, "'%.*s' is no value in JSON", (int)(n < 40 ? n : 40), s);

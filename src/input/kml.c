@@ -60,7 +60,7 @@ typedef struct parser {
     il_kml_points points;
     container *containers;
     size_t n_containers, cap_containers;
-    bool in_placemark, has_coordinates, is_relative, said_relative;
+    bool in_placemark, has_coordinates, is_relative, said_relative, has_told_places;
     kind part;
     size_t n_polygons;
 } parser;
@@ -90,12 +90,25 @@ static il_status start_container(parser *p, il_error *err)
     return IL_OK;
 }
 
+/* The places of heights are known by the first placemark, so that they are asked in this
+ * order whatever that has. */
+static il_status tell_places(parser *p, il_error *err)
+{
+    static const char *const places[] = { "name", "description", "folder" };
+    il_status st = IL_OK;
+    for (size_t k = 0; k < sizeof places / sizeof *places && st == IL_OK && !p->has_told_places; k++)
+        st = il_map_place(p->set, places[k], NULL, 0, err);
+    p->has_told_places = true;
+    return st;
+}
+
 static il_status start_placemark(parser *p, const il_xml_element *e, il_error *err)
 {
     if (p->in_placemark)
         return il_fail(err, IL_E_INPUT, e->line, "a Placemark inside another");
     p->in_placemark = true;
-    return il_map_begin_feature(p->set, e->line, err);
+    il_status st = il_map_begin_feature(p->set, e->line, err);
+    return st == IL_OK ? tell_places(p, err) : st;
 }
 
 /* A geometry outside of placemarks is a feature by itself. */
@@ -363,11 +376,6 @@ static il_status read_all(il_source *const *source, size_t n, const il_read_opti
 
 /* ---- the probe ------------------------------------------------------------------------- */
 
-static bool is_word(const char *s, size_t n, const char *word)
-{
-    return n == strlen(word) && memcmp(s, word, n) == 0;
-}
-
 /* kml, or a piece of it: Placemark, or what holds them if it shows that it is KML's. */
 static bool probe(const unsigned char *head, size_t n)
 {
@@ -378,9 +386,9 @@ static bool probe(const unsigned char *head, size_t n)
     size_t skip = colon ? (size_t)(colon - name) + 1 : 0;
     name += skip;
     n_name -= skip;
-    if (is_word(name, n_name, "kml") || is_word(name, n_name, "Placemark"))
+    if (il_text_is(name, n_name, "kml") || il_text_is(name, n_name, "Placemark"))
         return true;
-    bool may_be = is_word(name, n_name, "Document") || is_word(name, n_name, "Folder");
+    bool may_be = il_text_is(name, n_name, "Document") || il_text_is(name, n_name, "Folder");
     return may_be && (il_text_contains(s, n, "<Placemark") || il_text_contains(s, n, "/kml/2"));
 }
 

@@ -1,5 +1,7 @@
 #include "config.h"
 #include "input/map-names.h"
+#include "base/text.h"
+#include "input/map-value.h"
 
 #include <string.h>
 
@@ -15,26 +17,16 @@ static const struct { const char *word; bool is_depth; } usual[] = {
     { "quota", false }, { "kote", false }, { "altitud", false }, { "propvalue", false }, { "propertyvalue", false },
     { "depth", true }, { "isobath", true }, { "valdco", true }, { "drval", true } };
 
-static const struct { const char *word; il_unit unit; } units[] = {
-    { "m", IL_UNIT_M }, { "metre", IL_UNIT_M }, { "metres", IL_UNIT_M }, { "meter", IL_UNIT_M }, { "meters", IL_UNIT_M },
-    { "ft", IL_UNIT_FT }, { "foot", IL_UNIT_FT }, { "feet", IL_UNIT_FT }, { "km", IL_UNIT_KM }, { "cm", IL_UNIT_CM },
-    { "mm", IL_UNIT_MM } };
-
 static const struct { const char *word; il_map_end end; } ends[] = {
     { "min", IL_MAP_END_LOW }, { "low", IL_MAP_END_LOW }, { "lower", IL_MAP_END_LOW }, { "from", IL_MAP_END_LOW },
     { "max", IL_MAP_END_HIGH }, { "high", IL_MAP_END_HIGH }, { "upper", IL_MAP_END_HIGH }, { "to", IL_MAP_END_HIGH },
     { "1", IL_MAP_END_LOW }, { "2", IL_MAP_END_HIGH }, { "emin", IL_MAP_END_LOW }, { "emax", IL_MAP_END_HIGH },
     { "amin", IL_MAP_END_LOW }, { "amax", IL_MAP_END_HIGH }, { "hmin", IL_MAP_END_LOW }, { "hmax", IL_MAP_END_HIGH } };
 
-static bool is_word(const char *s, size_t n, const char *word)
-{
-    return strlen(word) == n && memcmp(s, word, n) == 0;
-}
-
 static bool take_usual(const char *s, size_t n, il_map_name *out)
 {
     for (size_t k = 0; k < sizeof usual / sizeof *usual; k++) {
-        if (is_word(s, n, usual[k].word)) {
+        if (il_text_is(s, n, usual[k].word)) {
             out->rank = out->rank < 0 || (int)k < out->rank ? (int)k : out->rank;
             out->is_depth |= usual[k].is_depth;
             return true;
@@ -45,20 +37,15 @@ static bool take_usual(const char *s, size_t n, il_map_name *out)
 
 static bool take_unit(const char *s, size_t n, il_map_name *out)
 {
-    for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
-        if (is_word(s, n, units[k].word)) {
-            out->has_unit = true;
-            out->unit = units[k].unit;
-            return true;
-        }
-    }
-    return false;
+    bool is_unit = il_map_unit_word(s, n, &out->unit);
+    out->has_unit |= is_unit;
+    return is_unit;
 }
 
 static bool take_end(const char *s, size_t n, il_map_name *out)
 {
     for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
-        if (is_word(s, n, ends[k].word)) {
+        if (il_text_is(s, n, ends[k].word)) {
             out->end = ends[k].end;
             return true;
         }

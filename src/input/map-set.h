@@ -9,7 +9,7 @@
  * on one stack of kind terrain: a slice a level, with a ring or open line a part.
  * Files read together are one set.
  *
- * Everything is held until the last file ends: 16 bytes a point, 64 a part, 8 a
+ * Everything is held until the last file ends: 16 bytes a point, 80 a part, 8 a
  * feature for each attribute that may be a height. */
 #ifndef IL_INPUT_MAP_SET_H
 #define IL_INPUT_MAP_SET_H

@@ -1,10 +1,10 @@
 #include "config.h"
 #include "input/map-value.h"
 #include "base/number.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
 static const struct { const char *word; il_unit unit; } units[] = {
     { "m", IL_UNIT_M }, { "m.", IL_UNIT_M }, { "metre", IL_UNIT_M }, { "metres", IL_UNIT_M }, { "meter", IL_UNIT_M },
@@ -16,16 +16,15 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-static bool parse_unit(const char *s, size_t n, il_map_value *out)
+bool il_map_unit_word(const char *s, size_t n, il_unit *unit)
 {
     for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
-        if (strlen(units[k].word) == n && strncasecmp(s, units[k].word, n) == 0) {
-            out->has_unit = true;
-            out->unit = units[k].unit;
+        if (il_text_is_word(s, n, units[k].word)) {
+            *unit = units[k].unit;
             return true;
         }
     }
-    return n == 0;
+    return false;
 }
 
 /* The number at S[0..N), which may have a comma for its point; bytes read. */
@@ -52,7 +51,8 @@ bool il_map_value_parse(const char *s, size_t n, il_map_value *out)
         return false;
     for (s += used, n -= used; n > 0 && is_blank(*s); n--)
         s++;
-    return parse_unit(s, n, out);
+    out->has_unit = il_map_unit_word(s, n, &out->unit);
+    return out->has_unit || n == 0;
 }
 
 /* Does a number start at S[K]?  A minus is a sign behind a blank only: "L-100". */

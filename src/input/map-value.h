@@ -10,6 +10,9 @@ typedef struct il_map_value {
     il_unit unit;
 } il_map_value;
 
+/* Is S[0..N) a word for a unit of heights ("m", "feet"), in any case?  *UNIT it is then. */
+bool il_map_unit_word(const char *s, size_t n, il_unit *unit);
+
 /* Read TEXT[0..N): blanks, a finite number below 1e15 (a comma is taken for its point
  * when there is no point), blanks, a word for metres or feet or nothing.  False when
  * it is anything else. */

@@ -4,6 +4,7 @@
 #include "config.h"
 #include "input/map-wkt.h"
 #include "base/number.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -46,7 +47,7 @@ typedef struct wkt {
 static node meaning(const char *s, size_t n)
 {
     for (size_t k = 0; k < sizeof keywords / sizeof *keywords; k++)
-        if (strlen(keywords[k].word) == n && strncasecmp(keywords[k].word, s, n) == 0)
+        if (il_text_is_word(s, n, keywords[k].word))
             return keywords[k].means;
     return NODE_OTHER;
 }

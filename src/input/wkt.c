@@ -67,17 +67,12 @@ static size_t letters(const char *p, const char *end)
     return (size_t)(q - p);
 }
 
-static bool is_word(const char *p, size_t n, const char *word)
-{
-    return strlen(word) == n && strncasecmp(p, word, n) == 0;
-}
-
 /* The Z, M or ZM that P[0..N) is, as bits 1 and 2; 0 when it is none, also for N 0. */
 static unsigned dimensions(const char *p, size_t n)
 {
-    if (is_word(p, n, "ZM"))
+    if (il_text_is_word(p, n, "ZM"))
         return 3;
-    return is_word(p, n, "Z") ? 1 : is_word(p, n, "M") ? 2 : 0;
+    return il_text_is_word(p, n, "Z") ? 1 : il_text_is_word(p, n, "M") ? 2 : 0;
 }
 
 /* The type P[0..N), with or without Z and M at its end. */
@@ -128,7 +123,7 @@ static const char *behind_type(const char *text, const char *end)
 bool il_wkt_begins(const char *text, size_t n)
 {
     const char *end = text + n, *p = behind_type(text, end);
-    return p && ((p < end && *p == '(') || is_word(p, letters(p, end), EMPTY));
+    return p && ((p < end && *p == '(') || il_text_is_word(p, letters(p, end), EMPTY));
 }
 
 /* Its first byte is the order of bytes, the next four the type. */
@@ -147,7 +142,7 @@ size_t il_wkt_length(const char *text, size_t n, size_t *open, size_t *at)
 {
     if (*at == 0) {
         const char *p = behind_type(text, text + n);
-        if (p && is_word(p, letters(p, text + n), EMPTY))
+        if (p && il_text_is_word(p, letters(p, text + n), EMPTY))
             return (size_t)(p - text) + sizeof EMPTY - 1;
     }
     for (; *at < n; ++*at) {
@@ -189,7 +184,7 @@ static bool take_empty(scan *s)
 {
     skip_blanks(s);
     size_t n = letters(s->p, s->end);
-    bool is_there = is_word(s->p, n, EMPTY);
+    bool is_there = il_text_is_word(s->p, n, EMPTY);
     if (is_there)
         il_map_skip(s->set, s->line, "geometry", "is empty");
     s->p += is_there ? n : 0;

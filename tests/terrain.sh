@@ -81,7 +81,7 @@ row length '122.5[0-9]* km$'
 exits 0 "--list has a line of it" "$ISOLOFT" --list island.geojson
 holds "with levels, lines and interval" grep -q "terrain .* 14  *20  *2095  *20 m" out
 
-terrain 'ring:0 0,10 0,10 10,0 10' '0 20,5 20' '5 20,10 20' '50 50,60 55,70 50' '0 100,100 100' '3 3' |
+terrain 'ring:0 0,10 0,10 10,0 10' '0 20,5 20' '5 20,10 20' '30 50,40 55,50 50' '0 100,100 100' '3 3' |
     sed 's/^end$/slice 10\nring\n2 2\n8 2\n8 8\nslice 25\nring\n4 4\n6 4\n6 6\nslice 30\nring\n5 5\n5.5 5\n5.5 5.5\nend/' >odd.loft
 exits 0 "what is unusual" "$ISOLOFT" --list odd.loft
 holds "is told" grep -q "2 missing levels, 3 open ends inside the map, 1 line of one point, 1 joint, 1 line of two points" out

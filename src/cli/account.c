@@ -125,7 +125,7 @@ static il_status find_gaps(il_account *a, il_error *err)
     il_stack_account *s = current(a);
     il_status st = il_spacing_measure(&s->spacing, h->z, h->n, err);
     if (st == IL_OK && s->is_terrain)
-        il_terrain_settle(&s->terrain, &s->spacing, s->box);
+        st = il_terrain_settle(&s->terrain, &s->spacing, err);
     for (size_t k = 1; k < h->n && st == IL_OK && !s->is_terrain; k++) {
         if (!h->gap_below[k] && !il_spacing_is_gap(&s->spacing, h->z[k - 1], h->z[k]))
             continue;

@@ -9,13 +9,14 @@
  * and may have been converted from feet. */
 static const double EVEN = 0.01;
 
-/* Ends within this share of the map's width or height from its edge are on it: where
- * degrees were projected, edges are not quite straight and upright. */
+/* Ends within this share of the map's width across an edge are on that edge: isolines end
+ * half a cell of the raster before it, and where degrees were projected, edges are not
+ * quite straight. */
 static const double EDGE = 0.02;
 
 il_status il_terrain_begin(il_terrain *t, const il_stack_head *head, il_error *err)
 {
-    *t = (il_terrain){ .has_geographic = head->has_geographic, .has_measures = head->unit != IL_UNIT_DEG };
+    *t = (il_terrain){ .hull = IL_HULL_INIT, .has_geographic = head->has_geographic, .has_measures = head->unit != IL_UNIT_DEG };
     memcpy(t->geographic, head->geographic, sizeof t->geographic);
     if (head->crs)
         t->crs = il_strndup(head->crs, strlen(head->crs));
@@ -27,6 +28,7 @@ void il_terrain_free(il_terrain *t)
     il_free(t->crs);
     il_free(t->level);
     il_free(t->end);
+    il_hull_free(&t->hull);
     *t = (il_terrain){ 0 };
 }
 
@@ -50,7 +52,7 @@ il_status il_terrain_slice(il_terrain *t, const il_slice *s, il_error *err)
         l.open += r->open;
         l.closed += !r->open;
         l.area += r->open ? 0 : fabs(il_ring_area2(r)) / 2;
-        if (r->open && r->n > 0 && !add_ends(t, r))
+        if ((r->open && r->n > 0 && !add_ends(t, r)) || !il_hull_add(&t->hull, r->xy, r->n))
             return il_fail_nomem(err);
     }
     if (s->length > 0) {
@@ -87,21 +89,14 @@ static void find_interval(il_terrain *t, const il_spacing *spacing)
     t->n_missing = missing < 1e15 ? (size_t)missing : 0;
 }
 
-static bool is_inside(const double *p, const double box[6])
-{
-    for (int k = 0; k < 2; k++) {
-        double margin = EDGE * (box[k + 3] - box[k]);
-        if (p[k] - box[k] <= margin || box[k + 3] - p[k] <= margin)
-            return false;
-    }
-    return true;
-}
-
-void il_terrain_settle(il_terrain *t, const il_spacing *spacing, const double box[6])
+il_status il_terrain_settle(il_terrain *t, const il_spacing *spacing, il_error *err)
 {
     find_interval(t, spacing);
+    if (!il_hull_settle(&t->hull))
+        return il_fail_nomem(err);
     for (size_t k = 0; k < t->n_ends; k++)
-        t->n_inside += is_inside(t->end + 2 * k, box);
+        t->n_inside += il_hull_is_inside(&t->hull, t->end + 2 * k, EDGE);
+    return IL_OK;
 }
 
 il_terrain_level il_terrain_sum(const il_terrain *t)

@@ -2,6 +2,7 @@
 #ifndef IL_CLI_TERRAIN_H
 #define IL_CLI_TERRAIN_H
 
+#include "cli/hull.h"
 #include "model/spacing.h"
 #include "model/stack.h"
 
@@ -16,7 +17,7 @@ typedef struct il_terrain_level {
 /* crs: null when there is none; geographic: as in il_stack_head.  level[n]: rising.
  * on_ellipsoid: lengths and areas are in m and m^2 on the ellipsoid; else in the stack's
  * unit in the plane, and unknown where that is degrees (has_measures is false).
- * end[2 * n_ends]: where open lines end.
+ * end[2 * n_ends]: where open lines end; hull: of all lines.
  * Known once it is settled: interval, that of the levels, 0 where there is not one
  * (of few levels, or uneven ones); n_missing: levels left out of it; n_inside: ends of
  * open lines in the middle of the map. */
@@ -28,6 +29,7 @@ typedef struct il_terrain {
     size_t n, cap;
     double *end;
     size_t n_ends, cap_ends;
+    il_hull hull;
     double interval;
     size_t n_missing, n_inside;
 } il_terrain;
@@ -39,9 +41,8 @@ void il_terrain_free(il_terrain *t); /* safe twice */
 /* A level passes.  IL_E_NOMEM. */
 il_status il_terrain_slice(il_terrain *t, const il_slice *s, il_error *err);
 
-/* All have passed; SPACING is that of the levels, and the map reaches from box[0], box[1]
- * to box[3], box[4]. */
-void il_terrain_settle(il_terrain *t, const il_spacing *spacing, const double box[6]);
+/* All have passed; SPACING is that of the levels.  IL_E_NOMEM. */
+il_status il_terrain_settle(il_terrain *t, const il_spacing *spacing, il_error *err);
 
 /* Sums over the levels, z not among them. */
 il_terrain_level il_terrain_sum(const il_terrain *t);

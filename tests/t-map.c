@@ -481,6 +481,9 @@ static void files_of_two_units_are_no_map(void **state)
     o.has_unit = true;
     o.unit = IL_UNIT_M;
     assert_string_equal(heights(run(files, &o)), " 1 2 3");
+    const char *const degrees[] = { "degrees f a elev 1 line 9 50 9 51", "f a elev 2 line 9 50 10 50", NULL };
+    run(degrees, &defaults);
+    assert_noted("1 of 2 files say that they are in degrees; all are taken so");
 }
 
 static void longitudes_run_across_the_antimeridian(void **state)

@@ -19,11 +19,13 @@
 enum { COLUMNS_MOST = 200 };
 
 /* guess: the column that likely comes next, as features have the same attributes in the
- * same order. */
+ * same order.  n_degrees: files that say that they hold degrees, is_degrees: the one at
+ * hand does. */
 struct il_map_set {
     il_map map;
     uint32_t file;
-    size_t guess;
+    size_t guess, n_degrees;
+    bool is_degrees;
     bool has_told_crs;          /* that two files state theirs in different words */
 };
 
@@ -256,7 +258,8 @@ il_status il_map_crs(il_map_set *s, const char *text, size_t n, long line, il_er
 
 void il_map_degrees(il_map_set *s)
 {
-    s->map.degrees = true;
+    s->n_degrees += !s->is_degrees;
+    s->is_degrees = s->map.degrees = true;
 }
 
 il_status il_map_unit(il_map_set *s, il_unit unit, long line, il_error *err)
@@ -314,11 +317,14 @@ static il_status parse_all(il_map_set *s, il_map_parse *parse, il_source *const 
     il_status st = IL_OK;
     for (size_t k = 0; k < n && st == IL_OK; k++) {
         s->file = (uint32_t)k;
+        s->is_degrees = false;
         s->map.file[k] = il_source_name(source[k]);
         st = parse(source[k], s, s->map.options, err);
         if (st != IL_OK)
             il_error_set_file(err, il_source_name(source[k]));
     }
+    if (s->n_degrees > 0 && s->n_degrees < n)
+        il_report_note(s->map.report, "%zu of %zu files say that they are in degrees; all are taken so", s->n_degrees, n);
     return st;
 }
 

@@ -28,7 +28,8 @@ static il_terrain terrain_of(const double *z, size_t n, const double line[4], il
         il_slice_free(&s);
     }
     assert_int_equal(il_spacing_measure(&spacing, z, n, NULL), IL_OK);
-    il_terrain_settle(&t, &spacing, (const double[6]){ 0, 0, 0, 100, 50, 0 });
+    assert_true(il_hull_add(&t.hull, (const double[]){ 0, 0, 100, 0, 100, 50, 0, 50 }, 4));
+    assert_int_equal(il_terrain_settle(&t, &spacing, NULL), IL_OK);
     return t;
 }
 

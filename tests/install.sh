@@ -21,10 +21,13 @@ program=$(find "$root" -type f -name isoloft -perm -100)
 (cd / && "$program" --version) >version 2>>log && "$ISOLOFT" --version | cmp -s - version
 result $? "the installed program runs"
 
-[ -n "$(find "$root" -path '*/man1/isoloft.1')" ] && [ -n "$(find "$root" -path '*/man5/isoloft.5')" ]
-result $? "both manual pages are installed"
+for page in man1/isoloft.1 man5/isoloft.5 man7/isoloft-isolines.7; do
+    [ -n "$(find "$root" -path "*/$page")" ] || echo "$page is not installed"
+done >log
+[ ! -s log ]
+result $? "all manual pages are installed"
 
-for file in $(sed -n 's/^\.Pa \([a-z.]*\.\(txt\|schema\.json\)\)$/\1/p' "$srcdir/man/isoloft.1" "$srcdir/man/isoloft.5"); do
+for file in $(sed -n 's/^\.Pa \([a-z.-]*\.\(txt\|schema\.json\)\)\( .*\)\{0,1\}$/\1/p' "$srcdir"/man/isoloft*); do
     [ -n "$(find "$root" -path "*/doc/isoloft/$file")" ] || echo "$file is not installed"
 done >log
 [ ! -s log ]

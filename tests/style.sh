@@ -47,8 +47,8 @@ awk "$strip_comments" $sources $headers >"$code"
 # uses FILES WORDS: where code of the files (a regular expression) calls one of the functions
 calls() { grep -E "^($1)[^:]*:" "$code" | grep -E "(^|[^A-Za-z0-9_.>])($2) *\("; }
 names() { grep -E "^($1)[^:]*:" "$code" | grep -E "(^|[^A-Za-z0-9_])($2)([^A-Za-z0-9_]|\$)"; }
-below_cli='src/(base|bridge|model|input|region|match|loft|output|api)/'
-below_files='src/(bridge|model|input|region|match|loft|output|api)/'
+below_cli='src/(base|bridge|model|input|region|match|terrain|loft|output|api)/'
+below_files='src/(bridge|model|input|region|match|terrain|loft|output|api)/'
 
 for f in $sources $tests $examples; do
     case $f in *.h | examples/*) continue ;; esac

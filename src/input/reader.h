@@ -9,9 +9,7 @@
 
 #include <stdbool.h>
 
-/* Where the ground lies along a single level, seen along its lines; how depths are
- * counted; what becomes of degrees. */
-typedef enum il_side { IL_SIDE_UNKNOWN, IL_SIDE_LEFT, IL_SIDE_RIGHT } il_side;
+/* How depths are counted; what becomes of degrees. */
 typedef enum il_depth { IL_DEPTH_AUTO, IL_DEPTH_DOWN, IL_DEPTH_UP } il_depth;
 typedef enum il_project { IL_PROJECT_AUTO, IL_PROJECT_UTM, IL_PROJECT_TM, IL_PROJECT_NONE } il_project;
 

@@ -11,6 +11,13 @@ typedef enum il_kind { IL_KIND_SOLID, IL_KIND_TERRAIN } il_kind;
 typedef enum il_unit { IL_UNIT_MM, IL_UNIT_CM, IL_UNIT_M, IL_UNIT_KM, IL_UNIT_IN, IL_UNIT_FT,
                        IL_UNIT_UM, IL_UNIT_DEG, IL_N_UNITS } il_unit;
 
+/* On which side of isolines, seen along them, the ground is higher. */
+typedef enum il_side { IL_SIDE_UNKNOWN, IL_SIDE_LEFT, IL_SIDE_RIGHT } il_side;
+
+/* How a mesh was moved and scaled: a vertex v of it lies at v * scale + offset on the map,
+ * each coordinate by itself. */
+typedef struct il_placement { double offset[3], scale[3]; } il_placement;
+
 const char *il_unit_name(il_unit u);                   /* "mm" ... */
 bool il_unit_parse(const char *s, size_t n, il_unit *u);
 /* Metres in one of U; 0 for degrees, which are no length. */
@@ -28,7 +35,7 @@ typedef struct il_attribute { char *key, *value; } il_attribute;
  * length_scale: what its lengths were multiplied by since they were read, 0 where
  * they were not.  has_geographic: it was in degrees, from west, south, east and
  * north as in geographic, and `projection` made metres of them; the native format does
- * not carry that. */
+ * not carry that.  has_placement: the mesh made of it is not where its contours are. */
 typedef struct il_stack_head {
     char *name;
     char *crs;
@@ -42,6 +49,8 @@ typedef struct il_stack_head {
     bool has_geographic;
     il_projection projection;
     double geographic[4];
+    bool has_placement;
+    il_placement placement;
     char *fault;
     long fault_line;
     il_attribute *attribute;

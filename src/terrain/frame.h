@@ -1,0 +1,48 @@
+/* frame.h - the edge of the map, and how lines meet it. */
+#ifndef IL_TERRAIN_FRAME_H
+#define IL_TERRAIN_FRAME_H
+
+#include "model/stack.h"
+
+/* The box of all lines (of a map that was in degrees: the box of longitudes and latitudes,
+ * projected like the lines); the convex hull of all lines; outlines of the user's. */
+typedef enum il_frame_kind { IL_FRAME_BBOX, IL_FRAME_HULL, IL_FRAME_OUTLINE } il_frame_kind;
+
+/* outline: closed rings, holes among them (even-odd), in the coordinates of the map, or in
+ * degrees when in_degrees; borrowed, for IL_FRAME_OUTLINE only. */
+typedef struct il_frame_options {
+    il_frame_kind kind;
+    const il_slice *outline;
+    bool in_degrees;
+} il_frame_options;
+
+/* The end of an open line: of line RING of level LEVEL, its last vertex if LAST.  FOOT: the
+ * vertex (x, y) of the frame that a straight edge leads to; equal to the end where that
+ * lies on the frame. */
+typedef struct il_frame_end {
+    uint32_t level, ring;
+    bool last;
+    double foot[2];
+} il_frame_end;
+
+/* rings: the frame, map on their left, all feet and all vertices of lines that lie on it
+ * exactly among their vertices.  end[n_ends]: ends that reach it, by level, ring, then first before last.
+ * Lines with an end that is not listed end inside the map.  box: least x and y, greatest
+ * x and y of the rings. */
+typedef struct il_frame {
+    il_slice rings;
+    il_frame_end *end;      size_t n_ends, cap_ends;
+    double box[4];
+} il_frame;
+
+#define IL_FRAME_INIT { 0 }
+void il_frame_free(il_frame *f); /* safe twice */
+
+/* The frame of the lines level[n_levels] of a terrain with head HEAD.  An end within
+ * IL_FRAME_REACH of the frame's shorter side from it is led there, for isolines of a
+ * raster end half a cell before it.  IL_E_INPUT for a frame without area, IL_E_NOMEM. */
+#define IL_FRAME_REACH 0.02
+il_status il_frame_make(il_frame *out, const il_frame_options *o, const il_stack_head *head,
+                        const il_slice *level, size_t n_levels, il_error *err);
+
+#endif

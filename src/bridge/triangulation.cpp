@@ -62,27 +62,45 @@ static void insert_edges(Cdt &cdt, const std::vector<Cdt::Vertex_handle> &at, co
     }
 }
 
-il_status il_triangulation_new(il_triangulation **out, const double *xy, size_t n,
-                               const uint32_t *edge, size_t m, il_error *err)
+static void build(il_triangulation *t, const double *xy, size_t n, const uint32_t *edge, size_t m)
+{
+    insert_points(t, xy, n);
+    std::vector<Cdt::Vertex_handle> at(n);
+    for (auto v = t->cdt.finite_vertices_begin(); v != t->cdt.finite_vertices_end(); ++v)
+        at[v->info()] = v;
+    insert_edges(t->cdt, at, edge, m);
+    if (t->cdt.number_of_vertices() != n)
+        throw std::runtime_error("triangulation: edges cross");
+}
+
+il_status il_triangulation_try(il_triangulation **out, const double *xy, size_t n,
+                               const uint32_t *edge, size_t m, bool *crosses, il_error *err)
 {
     *out = nullptr;
+    *crosses = false;
     il_triangulation *t = nullptr;
     il_status st = guarded(err, [&] {
         t = new il_triangulation;
-        insert_points(t, xy, n);
-        std::vector<Cdt::Vertex_handle> at(n);
-        for (auto v = t->cdt.finite_vertices_begin(); v != t->cdt.finite_vertices_end(); ++v)
-            at[v->info()] = v;
-        insert_edges(t->cdt, at, edge, m);
-        if (t->cdt.number_of_vertices() != n)
-            throw std::runtime_error("triangulation: edges cross");
+        try {
+            build(t, xy, n, edge, m);
+        } catch (const Cdt::Intersection_of_constraints_exception &) {
+            *crosses = true;
+        }
         return IL_OK;
     });
-    if (st != IL_OK)
+    if (st != IL_OK || *crosses)
         delete t;
     else
         *out = t;
     return st;
+}
+
+il_status il_triangulation_new(il_triangulation **out, const double *xy, size_t n,
+                               const uint32_t *edge, size_t m, il_error *err)
+{
+    bool crosses = false;
+    il_status st = il_triangulation_try(out, xy, n, edge, m, &crosses, err);
+    return crosses ? il_fail(err, IL_E_INTERNAL, 0, "triangulation: edges cross") : st;
 }
 
 il_status il_triangulation_insert(il_triangulation *t, const double *xy, size_t n, il_error *err)

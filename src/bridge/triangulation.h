@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -19,6 +20,11 @@ typedef struct il_triangulation il_triangulation;
  * IL_E_INTERNAL when they do cross. */
 il_status il_triangulation_new(il_triangulation **out, const double *xy, size_t n,
                                const uint32_t *edge, size_t m, il_error *err);
+
+/* As il_triangulation_new, for edges of which nobody knows: when some cross, *OUT is null and
+ * *CROSSES set.  An edge that passes through points comes out as several. */
+il_status il_triangulation_try(il_triangulation **out, const double *xy, size_t n,
+                               const uint32_t *edge, size_t m, bool *crosses, il_error *err);
 
 /* Add N more points; they get the next indices.  None may equal another. */
 il_status il_triangulation_insert(il_triangulation *t, const double *xy, size_t n, il_error *err);

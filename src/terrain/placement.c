@@ -11,7 +11,7 @@ static const double FLOOR_DEPTH = 0.02;
 /* Whole numbers above this are not all doubles. */
 static const double WHOLE = 0x1p53;
 
-static double round_as(const il_placement_options *o, double value)
+double il_placement_round(const il_placement_options *o, double value)
 {
     return o->round_float ? il_number_round_float(value) : value;
 }
@@ -93,7 +93,7 @@ void il_placement_apply(const il_stack_head *head, const il_placement_options *o
 {
     const il_placement *p = &head->placement;
     for (int k = 0; k < 2; k++)
-        to[k] = round_as(o, head->has_placement ? (from[k] - p->offset[k]) / p->scale[k] : from[k]);
+        to[k] = il_placement_round(o, head->has_placement ? (from[k] - p->offset[k]) / p->scale[k] : from[k]);
 }
 
 /* ---- z -------------------------------------------------------------------------- */
@@ -151,5 +151,5 @@ il_status il_placement_settle(il_stack_head *head, const il_placement_options *o
 double il_placement_height(const il_stack_head *head, const il_placement_options *o, double z)
 {
     const il_placement *p = &head->placement;
-    return round_as(o, head->has_placement ? (z - p->offset[2]) / p->scale[0] * o->z_scale : z);
+    return il_placement_round(o, head->has_placement ? (z - p->offset[2]) / p->scale[0] * o->z_scale : z);
 }

@@ -31,6 +31,9 @@ typedef struct il_placement_options {
  * extent left. */
 il_status il_placement_choose(il_stack_head *head, const il_placement_options *o, const double box[4], il_error *err);
 
+/* A coordinate of the mesh as the output holds it. */
+double il_placement_round(const il_placement_options *o, double v);
+
 /* A point of the map (x, y) to where it goes in the mesh, rounded as O says. */
 void il_placement_apply(const il_stack_head *head, const il_placement_options *o, const double from[2], double to[2]);
 

@@ -1,0 +1,70 @@
+/* chart.h - the lines of a map and its frame as one planar graph. */
+#ifndef IL_TERRAIN_CHART_H
+#define IL_TERRAIN_CHART_H
+
+#include "base/keymap.h"
+#include "model/report.h"
+#include "terrain/frame.h"
+#include "terrain/placement.h"
+
+#define IL_CHART_NONE UINT32_MAX
+
+/* A point of the plane.  z: its height on the map, NAN while nothing gives it one (corners of
+ * the frame, points put into faces).  level: index of the level that it lies on, -1 on none.
+ * slice, ring, vertex: of the input, -1 for points that were put in.  is_frame: on it. */
+typedef struct il_chart_node {
+    double z;
+    int32_t level, slice, ring, vertex;
+    bool is_frame;
+} il_chart_node;
+
+/* An isoline of the map: ring RING of slice LEVEL.  left_out: it is not in the chart. */
+typedef struct il_chart_line {
+    int32_t level, ring;
+    bool left_out;
+} il_chart_line;
+
+/* xy[2*n_nodes], in the coordinates of the mesh (terrain/placement.h), distinct.
+ * edge[2*n_edges]: nodes, along the lines; owner[e]: the line that it belongs to, n_lines and
+ * more for interpolated ones, IL_CHART_NONE for the frame.  Edges of the frame have the map
+ * on their left.
+ * at: position -> node.  level_z[n_levels]: rising. */
+typedef struct il_chart {
+    double *xy;              size_t cap_xy;
+    il_chart_node *node;     size_t n_nodes, cap_nodes;
+    uint32_t *edge;          size_t n_edges, cap_edges;
+    uint32_t *owner;         size_t cap_owners;
+    il_keymap at;
+    const double *level_z;   size_t n_levels;
+} il_chart;
+
+#define IL_CHART_INIT { 0 }
+void il_chart_free(il_chart *c); /* safe twice */
+
+/* The node at the mesh's (x, y), made free of any height when there is none; IL_CHART_NONE
+ * without memory. */
+uint32_t il_chart_node_at(il_chart *c, double x, double y);
+
+/* Append an edge; false without memory.  One from a node to itself is none. */
+bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner);
+
+/* Where two levels meet in one node, and edges cross: the lines that do. */
+typedef struct il_clash {
+    uint32_t line[2];
+    double at[2];            /* in the mesh's coordinates */
+} il_clash;
+
+typedef struct il_clashes {
+    il_clash *clash;
+    size_t n, cap;
+} il_clashes;
+
+/* The chart of the lines line[n_lines] of slice[n_slices] that are not left out, and of FRAME.
+ * HEAD's placement is chosen.  Long pieces of the frame are divided, and those between two
+ * ends of one level.  Nodes of two levels go to CLASHES.  IL_E_NOMEM, IL_E_INPUT beyond
+ * 2^31 nodes. */
+il_status il_chart_build(il_chart *c, const il_slice *slice, const il_chart_line *line, size_t n_lines,
+                         const il_frame *frame, const il_stack_head *head, const il_placement_options *o,
+                         il_clashes *clashes, il_error *err);
+
+#endif

@@ -1,0 +1,148 @@
+#include "config.h"
+#include "terrain/law.h"
+#include "base/alloc.h"
+
+#include <math.h>
+
+/* ---- widths ------------------------------------------------------------------- */
+
+/* area[f], twice; length[f] of its lines. */
+static void measure(const il_tin *t, const il_chart *c, double *area, double *length)
+{
+    for (size_t k = 0; k < t->n; k++)
+        if (t->face[k] != IL_CHART_NONE)
+            area[t->face[k]] += il_tin_area2(t, c, k);
+    for (size_t e = 0; e < c->n_edges; e++) {
+        const uint32_t *v = c->edge + 2 * e;
+        double d = c->owner[e] == IL_CHART_NONE ? 0 : hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
+        for (int s = 0; s < 2; s++)
+            if (t->side[2 * e + (size_t)s] != IL_CHART_NONE)
+                length[t->side[2 * e + (size_t)s]] += d;
+    }
+}
+
+/* Do lines of both levels bound each face? */
+static void find_caps(const il_tin *t, const il_chart *c, const il_band *band, unsigned char *sides)
+{
+    for (size_t k = 0; k < 2 * t->n_sides; k++) {
+        uint32_t f = t->side[k];
+        if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
+            continue;
+        int32_t level = c->node[c->edge[k / 2 * 2]].level;
+        sides[f] |= (unsigned char)((level <= band[f].low ? 1 : 0) | (level >= band[f].high ? 2 : 0));
+    }
+}
+
+/* Of a band: area over half the length of its two lines.  Of a cap: the mean of the bands
+ * across its line, by length. */
+static bool find_widths(il_law *l, const il_tin *t)
+{
+    const il_chart *c = l->chart;
+    size_t n = t->n_faces;
+    double *area = il_calloc(n, sizeof *area), *length = il_calloc(n, sizeof *length), *weight = il_calloc(n, sizeof *weight);
+    unsigned char *sides = il_calloc(n, 1);
+    l->width = il_calloc(n, sizeof *l->width);
+    bool ok = area && length && weight && sides && l->width;
+    if (ok) {
+        measure(t, c, area, length);
+        find_caps(t, c, l->band, sides);
+        for (size_t f = 0; f < n; f++)
+            l->width[f] = sides[f] == 3 && length[f] > 0 ? area[f] / length[f] : 0;
+        for (size_t k = 0; k < 2 * t->n_sides; k++) {
+            uint32_t f = t->side[k], g = t->side[k ^ 1];
+            const uint32_t *v = c->edge + k / 2 * 2;
+            if (f == IL_CHART_NONE || g == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE || sides[f] == 3 || sides[g] != 3)
+                continue;
+            double d = hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
+            l->width[f] += d * l->width[g];
+            weight[f] += d;
+        }
+        for (size_t f = 0; f < n; f++)
+            l->width[f] = weight[f] > 0 ? l->width[f] / weight[f] : l->width[f];
+    }
+    il_free(area);
+    il_free(length);
+    il_free(weight);
+    il_free(sides);
+    return ok;
+}
+
+/* ---- building ------------------------------------------------------------------- */
+
+static il_status build_borders(il_law *l, const il_tin *t, il_error *err)
+{
+    const il_chart *c = l->chart;
+    il_segment *s = il_alloc(2 * t->n_sides, sizeof *s);
+    size_t n = 0;
+    if (!s)
+        return il_fail_nomem(err);
+    for (size_t k = 0; k < 2 * t->n_sides; k++) {
+        uint32_t f = t->side[k];
+        const uint32_t *v = c->edge + k / 2 * 2;
+        if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
+            continue;
+        size_t upper = c->node[v[0]].level > l->band[f].low;
+        s[n++] = (il_segment){ c->xy[2 * v[0]], c->xy[2 * v[0] + 1], c->xy[2 * v[1]], c->xy[2 * v[1] + 1], 2 * (size_t)f + upper, k / 2 };
+    }
+    return il_nearest_build(&l->borders, s, n, 2 * t->n_faces, err);
+}
+
+il_status il_law_build(il_law *l, const il_tin *t, const il_chart *c, const il_band *band, il_error *err)
+{
+    *l = (il_law){ .chart = c, .band = band };
+    if (!find_widths(l, t)) {
+        il_law_free(l);
+        return il_fail_nomem(err);
+    }
+    il_status st = build_borders(l, t, err);
+    if (st != IL_OK)
+        il_law_free(l);
+    return st;
+}
+
+void il_law_free(il_law *l)
+{
+    il_free(l->width);
+    il_nearest_free(&l->borders);
+    *l = (il_law){ 0 };
+}
+
+/* ---- heights ---------------------------------------------------------------------- */
+
+/* The interval above level LOW, which may be -1 or the last: then that of its neighbour. */
+static double interval_above(const il_chart *c, int32_t low)
+{
+    size_t k = low < 0 ? 0 : (size_t)low;
+    if (c->n_levels < 2)
+        return 1;
+    k = k + 1 < c->n_levels ? k : c->n_levels - 2;
+    return c->level_z[k + 1] - c->level_z[k];
+}
+
+double il_law_interval(const il_law *l, uint32_t face)
+{
+    return interval_above(l->chart, l->band[face].low);
+}
+
+/* How far a dome has risen, in intervals, at T widths of its neighbour band from its line: it
+ * begins with that band's slope, and ends halfway, for nothing tells where between the
+ * levels the top is. */
+static double dome(double t)
+{
+    return 0.5 * (1 - exp(-2 * t));
+}
+
+double il_law_height(const il_law *l, uint32_t face, double x, double y)
+{
+    const il_chart *c = l->chart;
+    il_band b = l->band[face];
+    double low = il_nearest_distance(&l->borders, 2 * (size_t)face, x, y);
+    double high = il_nearest_distance(&l->borders, 2 * (size_t)face + 1, x, y);
+    if (isfinite(low) && isfinite(high)) {
+        double t = low + high > 0 ? low / (low + high) : 0.5;
+        return c->level_z[b.low] + t * (c->level_z[b.high] - c->level_z[b.low]);
+    }
+    bool above = isfinite(low);
+    double d = above ? low : high, rise = l->width[face] > 0 ? dome(d / l->width[face]) : 0.5;
+    return above ? c->level_z[b.low] + rise * interval_above(c, b.low) : c->level_z[b.high] - rise * interval_above(c, b.low);
+}

@@ -1,0 +1,186 @@
+#include "config.h"
+#include "terrain/missing.h"
+#include "base/alloc.h"
+
+#include <math.h>
+
+/* once: edges that were drawn, by their nodes; the index of the edge, or GONE when it was
+ * drawn from both of its sides, which are then on the same side of it. */
+typedef struct drawing {
+    il_chart *c;
+    const il_tin *t;
+    const il_law *law;
+    size_t n_lines;
+    const il_placement_options *o;
+    il_keymap once;
+} drawing;
+
+static size_t after(size_t k)
+{
+    return k % 3 == 2 ? k - 2 : k + 1;
+}
+
+static bool lacks_lines(const drawing *d, size_t triangle)
+{
+    uint32_t f = d->t->face[triangle];
+    return f != IL_CHART_NONE && d->law->band[f].high - d->law->band[f].low > 1;
+}
+
+/* Corners of the frame have no height yet: in these faces they need one now. */
+static void raise_corners(const drawing *d)
+{
+    for (size_t k = 0; k < 3 * d->t->n; k++) {
+        uint32_t v = d->t->corner[k];
+        if (lacks_lines(d, k / 3) && isnan(d->c->node[v].z))
+            d->c->node[v].z = il_law_height(d->law, d->t->face[k / 3], d->c->xy[2 * (size_t)v], d->c->xy[2 * (size_t)v + 1]);
+    }
+}
+
+/* Where the edge from node A to node B passes through LEVEL: A's height is below it and B's is
+ * not.  The same from either triangle.  IL_CHART_NONE without memory. */
+static uint32_t node_between(drawing *d, uint32_t a, uint32_t b, int32_t level)
+{
+    il_chart *c = d->c;
+    double z = c->level_z[level], za = c->node[a].z, zb = c->node[b].z, p[2];
+    if (zb == z)
+        return b;
+    double t = (z - za) / (zb - za);
+    for (int i = 0; i < 2; i++)
+        p[i] = il_placement_round(d->o, c->xy[2 * (size_t)a + (size_t)i] + t * (c->xy[2 * (size_t)b + (size_t)i] - c->xy[2 * (size_t)a + (size_t)i]));
+    uint32_t n = il_chart_node_at(c, p[0], p[1]);
+    if (n != IL_CHART_NONE && c->node[n].level < 0) {
+        c->node[n].level = c->node[n].slice = level;
+        c->node[n].z = z;
+    }
+    return n;
+}
+
+static bool draw(drawing *d, uint32_t a, uint32_t b, int32_t level)
+{
+    il_chart *c = d->c;
+    if (a == IL_CHART_NONE || b == IL_CHART_NONE)
+        return false;
+    if (a == b)
+        return true;
+    uint32_t *at = il_keymap_put(&d->once, IL_KEYMAP_EDGE(a, b), (uint32_t)c->n_edges);
+    if (!at)
+        return false;
+    if (*at != c->n_edges) {
+        if (*at != IL_CHART_NONE)
+            c->edge[2 * (size_t)*at + 1] = c->edge[2 * (size_t)*at];
+        *at = IL_CHART_NONE;
+        return true;
+    }
+    return il_chart_add_edge(c, a, b, (uint32_t)d->n_lines + (uint32_t)level);
+}
+
+/* LEVEL in triangle T: of its three edges two pass through it, or none.  Points on the level
+ * count as above. */
+static bool draw_level(drawing *d, size_t triangle, int32_t level)
+{
+    il_chart *c = d->c;
+    double z = c->level_z[level];
+    uint32_t end[2];
+    size_t n = 0;
+    for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++) {
+        uint32_t a = d->t->corner[k], b = d->t->corner[after(k)];
+        bool a_below = c->node[a].z < z, b_below = c->node[b].z < z;
+        if (a_below != b_below)
+            end[n++] = node_between(d, a_below ? a : b, a_below ? b : a, level);
+    }
+    /* the higher ground on the left, as nobody else has a say */
+    return n < 2 || draw(d, end[0], end[1], level);
+}
+
+/* Is there a line of the map between two of its corners that both lie on LEVEL? */
+static bool has_line(const drawing *d, size_t triangle, int32_t level)
+{
+    for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++) {
+        uint32_t e = d->t->edge[k];
+        if (e != IL_CHART_NONE && d->c->owner[e] != IL_CHART_NONE &&
+            d->c->node[d->t->corner[k]].level == level && d->c->node[d->t->corner[after(k)]].level == level)
+            return true;
+    }
+    return false;
+}
+
+static bool draw_levels(drawing *d, size_t triangle)
+{
+    il_band b = d->law->band[d->t->face[triangle]];
+    int32_t last = b.high < (int32_t)d->c->n_levels ? b.high : (int32_t)d->c->n_levels;
+    for (int32_t level = b.low + 1; level < last; level++)
+        if (!has_line(d, triangle, level) && !draw_level(d, triangle, level))
+            return false;
+    return true;
+}
+
+/* The frame's edge E passes through levels: it becomes several. */
+static bool divide(drawing *d, size_t e)
+{
+    il_chart *c = d->c;
+    uint32_t a = c->edge[2 * e], b = c->edge[2 * e + 1], before = a;
+    double za = c->node[a].z, zb = c->node[b].z;
+    bool rises = za < zb, first = true;
+    for (size_t k = 0; k < c->n_levels; k++) {
+        int32_t level = (int32_t)(rises ? k : c->n_levels - 1 - k);
+        double z = c->level_z[level];
+        if (!((za < z) != (zb < z)))
+            continue;
+        uint32_t n = rises ? node_between(d, a, b, level) : node_between(d, b, a, level);
+        if (n == IL_CHART_NONE)
+            return false;
+        if (n == before || n == b)
+            continue;
+        c->node[n].is_frame = true;
+        if (first)
+            c->edge[2 * e + 1] = n;
+        else if (!il_chart_add_edge(c, before, n, IL_CHART_NONE))
+            return false;
+        first = false;
+        before = n;
+    }
+    return first || il_chart_add_edge(c, before, b, IL_CHART_NONE);
+}
+
+static bool divide_frame(drawing *d)
+{
+    for (size_t k = 0; k < 3 * d->t->n; k++) {
+        uint32_t e = d->t->edge[k];
+        if (e != IL_CHART_NONE && d->c->owner[e] == IL_CHART_NONE && lacks_lines(d, k / 3) && !divide(d, e))
+            return false;
+    }
+    return true;
+}
+
+/* Edges that were taken back are points now. */
+static void drop_points(il_chart *c)
+{
+    size_t n = 0;
+    for (size_t e = 0; e < c->n_edges; e++) {
+        if (c->edge[2 * e] == c->edge[2 * e + 1])
+            continue;
+        c->edge[2 * n] = c->edge[2 * e];
+        c->edge[2 * n + 1] = c->edge[2 * e + 1];
+        c->owner[n++] = c->owner[e];
+    }
+    c->n_edges = n;
+}
+
+il_status il_missing_draw(il_chart *c, const il_tin *t, const il_law *law, size_t n_lines,
+                          const il_placement_options *o, size_t *n, il_error *err)
+{
+    drawing d = { c, t, law, n_lines, o, IL_KEYMAP_INIT };
+    bool ok = true;
+    *n = 0;
+    for (size_t f = 0; f < t->n_faces; f++)
+        *n += law->band[f].high - law->band[f].low > 1;
+    if (*n == 0)
+        return IL_OK;
+    raise_corners(&d);
+    for (size_t k = 0; k < t->n && ok; k++)
+        ok = !lacks_lines(&d, k) || draw_levels(&d, k);
+    ok = ok && divide_frame(&d);
+    drop_points(c);
+    il_keymap_free(&d.once);
+    return ok ? IL_OK : il_fail_nomem(err);
+}

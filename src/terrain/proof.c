@@ -1,0 +1,196 @@
+#include "config.h"
+#include "terrain/proof.h"
+#include "base/alloc.h"
+#include "base/number.h"
+#include "bridge/predicates.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct proof {
+    const il_skin *s;
+    const il_tin *t;
+    const il_chart *c;
+    const il_stack_head *head;
+    const il_placement_options *o;
+    double floor;
+    il_error *err;
+} proof;
+
+static il_status refute(const proof *p, size_t vertex, const char *what)
+{
+    char text[3][IL_NUMBER_MAX];
+    for (int k = 0; k < 3; k++)
+        il_number_format(text[k], p->s->xyz[3 * vertex + (size_t)k]);
+    return il_fail(p->err, IL_E_SURFACE, p->head->line, "stack \"%.60s\": no sound surface near (%s, %s, %s): %s%s",
+                   il_stack_head_name(p->head), text[0], text[1], text[2], what,
+                   p->o->round_float ? " (in the 32-bit numbers of STL; PLY and OBJ hold finer ones)" : "");
+}
+
+/* ---- plan --------------------------------------------------------------------- */
+
+static int turn(const proof *p, size_t triangle)
+{
+    const uint32_t *v = p->s->tri + 3 * triangle;
+    return il_orientation(p->s->xyz + 3 * (size_t)v[0], p->s->xyz + 3 * (size_t)v[1], p->s->xyz + 3 * (size_t)v[2]);
+}
+
+static il_status prove_plan(const proof *p)
+{
+    const il_skin *s = p->s;
+    size_t floor = s->n_surface + s->n_wall;
+    for (size_t k = 0; k < s->n_surface; k++)
+        if (turn(p, k) <= 0)
+            return refute(p, s->tri[3 * k], "a triangle is turned over in plan");
+    for (size_t k = floor; k < s->n_triangles; k++)
+        if (turn(p, k) >= 0)
+            return refute(p, s->tri[3 * k], "a triangle of the floor is turned over");
+    for (size_t v = 0; v < s->n_vertices; v++)
+        if (!isfinite(s->xyz[3 * v + 2]))
+            return refute(p, v, "a point has no height");
+    return IL_OK;
+}
+
+/* Walls stand upright, between a floor that is flat and ground above it. */
+static il_status prove_walls(const proof *p)
+{
+    const il_skin *s = p->s;
+    size_t floor = s->n_surface + s->n_wall;
+    if (isnan(p->floor))
+        return s->n_triangles > s->n_surface ? refute(p, 0, "there are walls without a floor") : IL_OK;
+    for (size_t k = 0; k < 3 * s->n_surface; k++)
+        if (!(s->xyz[3 * (size_t)s->tri[k] + 2] > p->floor))
+            return refute(p, s->tri[k], "the ground does not lie above the floor");
+    for (size_t k = 3 * floor; k < 3 * s->n_triangles; k++)
+        if (s->xyz[3 * (size_t)s->tri[k] + 2] != p->floor)
+            return refute(p, s->tri[k], "the floor is not flat");
+    for (size_t k = s->n_surface; k < floor; k++)
+        if (turn(p, k) != 0)
+            return refute(p, s->tri[3 * k], "a wall does not stand upright");
+    return IL_OK;
+}
+
+/* ---- half-edges ------------------------------------------------------------------ */
+
+/* Half-edges of triangles FROM to END, by their lesser vertex: of[first[v]] .. of[first[v + 1]]. */
+typedef struct halves {
+    uint32_t *first, *of;
+} halves;
+
+static size_t after(size_t k)
+{
+    return k % 3 == 2 ? k - 2 : k + 1;
+}
+
+static uint32_t lesser(const il_skin *s, size_t k)
+{
+    uint32_t a = s->tri[k], b = s->tri[after(k)];
+    return a < b ? a : b;
+}
+
+static bool list_halves(halves *h, const il_skin *s)
+{
+    size_t n = 3 * s->n_triangles;
+    h->first = il_calloc(s->n_vertices + 2, sizeof *h->first);
+    h->of = il_alloc(n, sizeof *h->of);
+    if (!h->first || !h->of)
+        return false;
+    for (size_t k = 0; k < n; k++)
+        h->first[lesser(s, k) + 2]++;
+    for (size_t v = 2; v < s->n_vertices + 2; v++)
+        h->first[v] += h->first[v - 1];
+    for (size_t k = 0; k < n; k++)
+        h->of[h->first[lesser(s, k) + 1]++] = (uint32_t)k;
+    return true;
+}
+
+/* How often the edge from A to B occurs, and its reverse. */
+static void count(const halves *h, const il_skin *s, uint32_t a, uint32_t b, size_t n[2])
+{
+    uint32_t low = a < b ? a : b;
+    n[0] = n[1] = 0;
+    for (uint32_t i = h->first[low]; i < h->first[low + 1]; i++) {
+        size_t k = h->of[i];
+        n[0] += s->tri[k] == a && s->tri[after(k)] == b;
+        n[1] += s->tri[k] == b && s->tri[after(k)] == a;
+    }
+}
+
+/* rim[e]: the frame's edges that the open surface must end in, as seen by the chart: those
+ * with the map on one side only. */
+static size_t count_rim(const proof *p)
+{
+    size_t n = 0;
+    for (size_t e = 0; e < p->c->n_edges; e++) {
+        bool left = p->t->side[2 * e] != IL_CHART_NONE, right = p->t->side[2 * e + 1] != IL_CHART_NONE;
+        n += p->c->owner[e] == IL_CHART_NONE && left != right;
+    }
+    return n;
+}
+
+static bool is_rim(const proof *p, size_t k)
+{
+    uint32_t a = p->s->node[p->s->tri[k]], b = p->s->node[p->s->tri[after(k)]];
+    return p->c->node[a].is_frame && p->c->node[b].is_frame;
+}
+
+static il_status prove_edges(const proof *p, const halves *h)
+{
+    const il_skin *s = p->s;
+    size_t n_open = 0;
+    for (size_t k = 0; k < 3 * s->n_triangles; k++) {
+        size_t n[2];
+        count(h, s, s->tri[k], s->tri[after(k)], n);
+        if (n[0] != 1 || n[1] > 1)
+            return refute(p, s->tri[k], "an edge belongs to several triangles on one side");
+        if (n[1] == 1)
+            continue;
+        n_open++;
+        if (!isnan(p->floor) || !is_rim(p, k))
+            return refute(p, s->tri[k], "an edge lacks its other triangle");
+    }
+    return isnan(p->floor) && n_open != count_rim(p) ? refute(p, 0, "it does not end where the frame is") : IL_OK;
+}
+
+/* ---- what it must pass through ------------------------------------------------------ */
+
+static il_status prove_lines(const proof *p)
+{
+    const il_skin *s = p->s;
+    il_status st = IL_OK;
+    unsigned char *there = il_calloc(p->c->n_nodes, 1);
+    if (!there)
+        return il_fail_nomem(p->err);
+    for (size_t v = 0; v < s->n_vertices; v++)
+        there[s->node[v]] = 1;
+    for (size_t v = 0; v < s->n_vertices && st == IL_OK; v++) {
+        const il_chart_node *n = &p->c->node[s->node[v]];
+        bool is_floor = s->xyz[3 * v + 2] == p->floor;
+        if (n->level >= 0 && !is_floor && s->xyz[3 * v + 2] != il_placement_height(p->head, p->o, p->c->level_z[n->level]))
+            st = refute(p, v, "a point of a line does not lie at its height");
+    }
+    for (size_t e = 0; e < p->c->n_edges && st == IL_OK; e++) {
+        bool inside = p->t->side[2 * e] != IL_CHART_NONE || p->t->side[2 * e + 1] != IL_CHART_NONE;
+        if (inside && !(there[p->c->edge[2 * e]] && there[p->c->edge[2 * e + 1]]))
+            st = refute(p, 0, "a point of a line is missing");
+    }
+    il_free(there);
+    return st;
+}
+
+il_status il_skin_prove(const il_skin *s, const il_tin *t, const il_chart *c, const il_stack_head *head,
+                        const il_placement_options *o, double floor, il_error *err)
+{
+    proof p = { s, t, c, head, o, floor, err };
+    halves h = { NULL, NULL };
+    il_status st = prove_plan(&p);
+    if (st == IL_OK)
+        st = prove_walls(&p);
+    if (st == IL_OK && !list_halves(&h, s))
+        st = il_fail_nomem(err);
+    if (st == IL_OK)
+        st = prove_edges(&p, &h);
+    il_free(h.first);
+    il_free(h.of);
+    return st == IL_OK ? prove_lines(&p) : st;
+}

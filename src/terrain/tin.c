@@ -1,0 +1,331 @@
+#include "config.h"
+#include "terrain/tin.h"
+#include "base/alloc.h"
+
+#include <math.h>
+#include <string.h>
+
+void il_tin_free(il_tin *t)
+{
+    il_triangulation_free(t->triangulation);
+    il_free(t->corner);
+    il_free(t->across);
+    il_free(t->edge);
+    il_free(t->face);
+    il_free(t->side);
+    *t = (il_tin)IL_TIN_INIT;
+}
+
+double il_tin_area2(const il_tin *t, const il_chart *c, size_t triangle)
+{
+    const double *p = c->xy + 2 * (size_t)t->corner[3 * triangle], *q = c->xy + 2 * (size_t)t->corner[3 * triangle + 1];
+    const double *r = c->xy + 2 * (size_t)t->corner[3 * triangle + 2];
+    return (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]);
+}
+
+/* ---- the chart's edges found again ------------------------------------------- */
+
+/* The edges of each node, at the lesser of its two: of[first[v]] .. of[first[v + 1]]. */
+typedef struct incidence {
+    uint32_t *first, *of;
+} incidence;
+
+static uint32_t lesser(const il_chart *c, size_t e)
+{
+    return c->edge[2 * e] < c->edge[2 * e + 1] ? c->edge[2 * e] : c->edge[2 * e + 1];
+}
+
+static bool find_incidence(incidence *i, const il_chart *c)
+{
+    i->first = il_calloc(c->n_nodes + 2, sizeof *i->first);
+    i->of = il_alloc(c->n_edges, sizeof *i->of);
+    if (!i->first || !i->of)
+        return false;
+    for (size_t e = 0; e < c->n_edges; e++)
+        i->first[lesser(c, e) + 2]++;
+    for (size_t v = 2; v < c->n_nodes + 2; v++)
+        i->first[v] += i->first[v - 1];
+    for (size_t e = 0; e < c->n_edges; e++)
+        i->of[i->first[lesser(c, e) + 1]++] = (uint32_t)e;
+    return true;
+}
+
+static bool is_frame(const il_chart *c, uint32_t e)
+{
+    return c->owner[e] == IL_CHART_NONE;
+}
+
+/* Where a line runs along the frame, the frame's. */
+static uint32_t find_edge(const incidence *i, const il_chart *c, uint32_t a, uint32_t b)
+{
+    uint32_t low = a < b ? a : b, high = a < b ? b : a, found = IL_CHART_NONE;
+    for (uint32_t k = i->first[low]; k < i->first[low + 1]; k++) {
+        uint32_t e = i->of[k];
+        if ((c->edge[2 * e] == high || c->edge[2 * e + 1] == high) && (found == IL_CHART_NONE || is_frame(c, e)))
+            found = e;
+    }
+    return found;
+}
+
+/* *FOUND: edges of the chart that are edges of triangles. */
+static il_status find_edges(il_tin *t, const il_chart *c, size_t *found, il_error *err)
+{
+    incidence i = { NULL, NULL };
+    il_free(t->edge);
+    t->edge = il_alloc(3 * t->n, sizeof *t->edge);
+    bool ok = t->edge && find_incidence(&i, c);
+    *found = 0;
+    for (size_t k = 0; ok && k < 3 * t->n; k++) {
+        uint32_t a = t->corner[k], b = t->corner[k % 3 == 2 ? k - 2 : k + 1];
+        uint32_t across = t->across[k];
+        t->edge[k] = find_edge(&i, c, a, b);
+        *found += t->edge[k] != IL_CHART_NONE && (across == IL_CHART_NONE || across > k / 3);
+    }
+    il_free(i.first);
+    il_free(i.of);
+    return ok ? IL_OK : il_fail_nomem(err);
+}
+
+/* ---- faces ------------------------------------------------------------------- */
+
+/* Outside of the frame, and not yet found. */
+#define OUTSIDE IL_CHART_NONE
+#define UNKNOWN (IL_CHART_NONE - 1)
+
+static bool is_left_of(const il_chart *c, const il_tin *t, size_t k)
+{
+    return c->edge[2 * (size_t)t->edge[k]] == t->corner[k];
+}
+
+/* All of the face of triangle SEED, over edges that are none of the chart's. */
+static void flood(il_tin *t, uint32_t seed, uint32_t face, uint32_t *stack)
+{
+    size_t n = 0;
+    stack[n++] = seed;
+    t->face[seed] = face;
+    while (n > 0) {
+        uint32_t at = stack[--n];
+        for (size_t k = 3 * (size_t)at; k < 3 * (size_t)at + 3; k++) {
+            uint32_t next = t->across[k];
+            if (t->edge[k] != IL_CHART_NONE || next == IL_CHART_NONE || t->face[next] != UNKNOWN)
+                continue;
+            t->face[next] = face;
+            stack[n++] = next;
+        }
+    }
+}
+
+/* Number faces, then tell those outside from those inside: crossing the frame leads in or out. */
+static il_status find_faces(il_tin *t, il_error *err)
+{
+    uint32_t *stack = il_alloc(t->n, sizeof *stack);
+    t->face = il_alloc(t->n, sizeof *t->face);
+    if (stack && t->face) {
+        for (size_t k = 0; k < t->n; k++)
+            t->face[k] = UNKNOWN;
+        t->n_faces = 0;
+        for (size_t k = 0; k < t->n; k++)
+            if (t->face[k] == UNKNOWN)
+                flood(t, (uint32_t)k, (uint32_t)t->n_faces++, stack);
+    }
+    il_free(stack);
+    return t->face ? IL_OK : il_fail_nomem(err);
+}
+
+static il_status find_sides(il_tin *t, const il_chart *c, il_error *err)
+{
+    t->n_sides = c->n_edges;
+    t->side = il_alloc(2 * c->n_edges, sizeof *t->side);
+    if (!t->side)
+        return il_fail_nomem(err);
+    for (size_t k = 0; k < 2 * c->n_edges; k++)
+        t->side[k] = IL_CHART_NONE;
+    for (size_t k = 0; k < 3 * t->n; k++)
+        if (t->edge[k] != IL_CHART_NONE)
+            t->side[2 * (size_t)t->edge[k] + (is_left_of(c, t, k) ? 0 : 1)] = t->face[k / 3];
+    return IL_OK;
+}
+
+/* A face is inside when the frame must be crossed an odd number of times to leave it. */
+typedef struct inside {
+    const il_chart *c;
+    unsigned char *known, *is_in;   /* a face each */
+    uint32_t *first, *of;           /* edges of each face */
+} inside;
+
+static void spread(inside *s, const il_tin *t, uint32_t seed, uint32_t *stack)
+{
+    size_t n = 0;
+    stack[n++] = seed;
+    s->known[seed] = 1;
+    while (n > 0) {
+        uint32_t f = stack[--n];
+        for (uint32_t k = s->first[f]; k < s->first[f + 1]; k++) {
+            uint32_t e = s->of[k], g = t->side[2 * (size_t)e] == f ? t->side[2 * (size_t)e + 1] : t->side[2 * (size_t)e];
+            if (g == IL_CHART_NONE || s->known[g])
+                continue;
+            s->known[g] = 1;
+            s->is_in[g] = is_frame(s->c, e) ? !s->is_in[f] : s->is_in[f];
+            stack[n++] = g;
+        }
+    }
+}
+
+static bool list_edges(inside *s, const il_tin *t)
+{
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t k = 0; k < 2 * t->n_sides; k++) {
+            uint32_t f = t->side[k];
+            if (f == IL_CHART_NONE)
+                continue;
+            if (pass == 0)
+                s->first[f + 2]++;
+            else
+                s->of[s->first[f + 1]++] = (uint32_t)(k / 2);
+        }
+        for (size_t f = 2; pass == 0 && f < t->n_faces + 2; f++)
+            s->first[f] += s->first[f - 1];
+    }
+    return true;
+}
+
+/* From the hull inwards. */
+static void find_inside(inside *s, const il_tin *t, uint32_t *stack)
+{
+    for (size_t k = 0; k < 3 * t->n; k++) {
+        uint32_t f = t->face[k / 3];
+        if (t->across[k] != IL_CHART_NONE || s->known[f])
+            continue;
+        s->is_in[f] = t->edge[k] != IL_CHART_NONE && is_frame(s->c, t->edge[k]);
+        spread(s, t, f, stack);
+    }
+}
+
+static il_status drop_outside(il_tin *t, const il_chart *c, il_error *err)
+{
+    inside s = { c, il_calloc(t->n_faces, 1), il_calloc(t->n_faces, 1), il_calloc(t->n_faces + 2, sizeof *s.first),
+                 il_alloc(2 * t->n_sides, sizeof *s.of) };
+    uint32_t *stack = il_alloc(t->n_faces, sizeof *stack), *number = il_alloc(t->n_faces, sizeof *number), n = 0;
+    bool ok = s.known && s.is_in && s.first && s.of && stack && number && list_edges(&s, t);
+    if (ok) {
+        find_inside(&s, t, stack);
+        for (size_t f = 0; f < t->n_faces; f++)
+            number[f] = s.is_in[f] ? n++ : OUTSIDE;
+        for (size_t k = 0; k < t->n; k++)
+            t->face[k] = number[t->face[k]];
+        for (size_t k = 0; k < 2 * t->n_sides; k++)
+            t->side[k] = t->side[k] == IL_CHART_NONE ? IL_CHART_NONE : number[t->side[k]];
+        t->n_faces = n;
+    }
+    il_free(s.known);
+    il_free(s.is_in);
+    il_free(s.first);
+    il_free(s.of);
+    il_free(stack);
+    il_free(number);
+    return ok ? IL_OK : il_fail_nomem(err);
+}
+
+/* ---- building ----------------------------------------------------------------- */
+
+static il_status export(il_tin *t, const il_chart *c, size_t *found, il_error *err)
+{
+    il_free(t->corner);
+    il_free(t->across);
+    t->corner = t->across = NULL;
+    il_status st = il_triangulation_export(t->triangulation, &t->corner, &t->across, &t->n, err);
+    return st == IL_OK ? find_edges(t, c, found, err) : st;
+}
+
+/* Edges of the chart, equal ones once. */
+static il_status count_edges(const il_chart *c, size_t *n, il_error *err)
+{
+    il_keymap seen = IL_KEYMAP_INIT;
+    bool ok = il_keymap_reserve(&seen, c->n_edges);
+    *n = 0;
+    for (size_t e = 0; ok && e < c->n_edges; e++) {
+        uint32_t *at = il_keymap_put(&seen, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
+        ok = at != NULL;
+        *n += ok && *at == e;
+    }
+    il_keymap_free(&seen);
+    return ok ? IL_OK : il_fail_nomem(err);
+}
+
+il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *err)
+{
+    size_t found = 0, wanted = 0;
+    il_status st = il_triangulation_try(&t->triangulation, c->xy, c->n_nodes, c->edge, c->n_edges, crosses, err);
+    if (st != IL_OK || *crosses)
+        return st;
+    st = export(t, c, &found, err);
+    if (st == IL_OK)
+        st = count_edges(c, &wanted, err);
+    *crosses = st == IL_OK && found != wanted;
+    if (*crosses)
+        il_tin_free(t);
+    if (st != IL_OK || *crosses)
+        return st;
+    st = find_faces(t, err);
+    if (st == IL_OK)
+        st = find_sides(t, c, err);
+    return st == IL_OK ? drop_outside(t, c, err) : st;
+}
+
+il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err)
+{
+    size_t found = 0;
+    il_status st = il_triangulation_insert(t->triangulation, c->xy + 2 * from, c->n_nodes - from, err);
+    if (st == IL_OK)
+        st = export(t, c, &found, err);
+    uint32_t *stack = st == IL_OK ? il_alloc(t->n, sizeof *stack) : NULL;
+    il_free(t->face);
+    t->face = il_alloc(t->n, sizeof *t->face);
+    if (st == IL_OK && (!stack || !t->face))
+        st = il_fail_nomem(err);
+    if (st == IL_OK) {
+        for (size_t k = 0; k < t->n; k++)
+            t->face[k] = UNKNOWN;
+        for (size_t k = 0; k < 3 * t->n; k++) {
+            if (t->edge[k] != IL_CHART_NONE && t->face[k / 3] == UNKNOWN)
+                flood(t, (uint32_t)(k / 3), t->side[2 * (size_t)t->edge[k] + (is_left_of(c, t, k) ? 0 : 1)], stack);
+        }
+        for (size_t k = 0; k < t->n; k++)
+            t->face[k] = t->face[k] == UNKNOWN ? OUTSIDE : t->face[k];
+    }
+    il_free(stack);
+    return st;
+}
+
+/* ---- borders -------------------------------------------------------------------- */
+
+static bool is_same_stretch(const il_border *b, const uint32_t *side, uint32_t line)
+{
+    return b->line == line && b->face[0] == side[0] && b->face[1] == side[1];
+}
+
+il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, il_error *err)
+{
+    size_t cap = 0;
+    *border = NULL;
+    *n = 0;
+    for (size_t e = 0; e < c->n_edges; e++) {
+        const uint32_t *side = t->side + 2 * e, *v = c->edge + 2 * e;
+        if (is_frame(c, (uint32_t)e) || side[0] == IL_CHART_NONE || side[1] == IL_CHART_NONE)
+            continue;
+        double length = hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
+        if (*n > 0 && is_same_stretch(&(*border)[*n - 1], side, c->owner[e])) {
+            (*border)[*n - 1].length += length;
+            continue;
+        }
+        if (!il_grow(border, &cap, *n + 1, sizeof **border)) {
+            il_free(*border);
+            *border = NULL;
+            *n = 0;
+            return il_fail_nomem(err);
+        }
+        (*border)[(*n)++] = (il_border){ { side[0], side[1] }, c->owner[e], c->node[v[0]].level, length,
+                                         { c->xy[2 * v[0]], c->xy[2 * v[0] + 1] } };
+    }
+    return IL_OK;
+}

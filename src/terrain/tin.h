@@ -1,0 +1,40 @@
+/* tin.h - the chart triangulated, and the faces that its lines part. */
+#ifndef IL_TERRAIN_TIN_H
+#define IL_TERRAIN_TIN_H
+
+#include "bridge/triangulation.h"
+#include "terrain/bands.h"
+#include "terrain/chart.h"
+
+/* Triangle t has nodes corner[3*t + k], counter-clockwise; over the edge from corner k to k + 1
+ * lies triangle across[3*t + k] (IL_CHART_NONE beyond the hull) and, where the edge is one of
+ * the chart's, that edge is edge[3*t + k], else IL_CHART_NONE.  face[t]: the face it belongs
+ * to, IL_CHART_NONE outside the frame.
+ * side[2*e], side[2*e + 1]: the faces to the left and right of edge e of the chart. */
+typedef struct il_tin {
+    il_triangulation *triangulation;
+    uint32_t *corner, *across, *edge, *face;
+    size_t n;
+    uint32_t *side;
+    size_t n_sides, n_faces;
+} il_tin;
+
+#define IL_TIN_INIT { 0 }
+void il_tin_free(il_tin *t); /* safe twice */
+
+/* The constrained Delaunay triangulation of C, and its faces, numbered in the order of their
+ * first triangles.  *CROSSES: edges cross or pass through nodes; T is empty then.  O(n log n). */
+il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *err);
+
+/* Nodes from FROM on were added to C, each inside a face: triangulate anew.  Faces keep their
+ * numbers. */
+il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err);
+
+/* The stretches of lines between faces, as il_bands_label takes them; border[n] is the
+ * caller's.  LEVEL_OF(self, owner) is the level of a line. */
+il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, il_error *err);
+
+/* Twice the area of triangle T. */
+double il_tin_area2(const il_tin *t, const il_chart *c, size_t triangle);
+
+#endif

@@ -364,6 +364,17 @@ static void feet_become_the_unit_of_the_stack(void **state)
     assert_noted("U.S. survey feet");
 }
 
+static void heights_that_conversion_takes_beyond_the_bound_are_refused(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    o.map.has_z_unit = true;
+    o.map.z_unit = IL_UNIT_KM;
+    const char *text = "unit um " TWO("a elev 1", "a elev 1000000");
+    assert_string_equal(read_map(text, &o), "a height reaches 1e15 when converted to um");
+    assert_string_equal(heights(read_map("unit um " TWO("a elev 1", "f a name x line 0 0 9 9 f a elev 900000"), &o)), " 1e+09 9e+14");
+}
+
 static void levels_that_only_decimals_tell_apart_are_one(void **state)
 {
     (void)state;
@@ -699,6 +710,7 @@ int main(void)
         cmocka_unit_test(a_map_without_lines_is_refused),
         cmocka_unit_test(depths_count_down),
         cmocka_unit_test(feet_become_the_unit_of_the_stack),
+        cmocka_unit_test(heights_that_conversion_takes_beyond_the_bound_are_refused),
         cmocka_unit_test(levels_that_only_decimals_tell_apart_are_one),
         cmocka_unit_test(degrees_are_believed_where_they_can_be),
         cmocka_unit_test(what_relief_denies_is_not_taken_for_degrees),

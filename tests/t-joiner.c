@@ -621,6 +621,30 @@ static void every_allocation_may_fail(void **state)
     assert_int_equal(st, IL_OK);
 }
 
+/* ---- where lines come from ---- */
+
+static void a_joined_line_comes_from_where_its_first_piece_does(void **state)
+{
+    (void)state;
+    static const char *const in[] = { "0 0, 1 0; 2 1, 3 1; 1 0, 2 1", "0 0, 1 0; 2 1, 1 0; 2 1, 3 1", "5 5, 6 5; o 0 0, 0 0, 1 0, 1 1" };
+    static const long begins[] = { 1, 1, 2 };
+    for (size_t k = 0; k < sizeof in / sizeof *in; k++) {
+        const il_join_options o = { 0 };
+        double largest = 0;
+        il_slice s = lines_of(in[k]);
+        for (size_t i = 0; i < s.n; i++) {
+            s.ring[i].line = 10 * (long)(i + 1);
+            s.ring[i].feature = (long)i + 1;
+            s.ring[i].file = 100 + (uint32_t)i;
+        }
+        assert_int_equal(il_slice_join(&s, &o, NULL, NULL, &largest, NULL), IL_OK);
+        assert_int_equal(s.ring[0].feature, begins[k]);
+        assert_int_equal(s.ring[0].line, 10 * begins[k]);
+        assert_int_equal(s.ring[0].file, 99 + begins[k]);
+        il_slice_free(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -644,6 +668,7 @@ int main(void)
         cmocka_unit_test(a_hundred_thousand_lines_that_meet_in_a_point_are_one_knot),
         cmocka_unit_test(crowds_of_ends_take_no_quadratic_time),
         cmocka_unit_test(copies_of_copies_are_dropped_in_linear_time),
+        cmocka_unit_test(a_joined_line_comes_from_where_its_first_piece_does),
         cmocka_unit_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -131,6 +131,44 @@ static il_status parse(il_source *source, il_map_set *set, const il_read_options
 static const il_read_options defaults = IL_READ_OPTIONS_INIT;
 static il_report report;
 static char output[20000];
+static char origins[2000]; /* of the lines, as they came: " FILE:FEATURE" of each */
+
+/* Hands on to a writer, and keeps what native text does not say. */
+typedef struct witness {
+    il_sink sink, *next;
+    il_stack_head head;
+} witness;
+
+static il_status see_stack(il_sink *self, const il_stack_head *head, il_error *err)
+{
+    witness *w = (witness *)self;
+    *origins = '\0';
+    assert_int_equal(il_stack_head_copy(&w->head, head, err), IL_OK);
+    return w->next->stack_begin(w->next, head, err);
+}
+
+static il_status see_slice(il_sink *self, il_slice *s, il_error *err)
+{
+    witness *w = (witness *)self;
+    for (size_t i = 0; i < s->n; i++) {
+        assert_true(s->ring[i].file < w->head.n_files);
+        snprintf(origins + strlen(origins), sizeof origins - strlen(origins), " %s:%ld", w->head.file[s->ring[i].file],
+                 s->ring[i].feature);
+    }
+    return w->next->slice(w->next, s, err);
+}
+
+static il_status see_stack_end(il_sink *self, il_error *err)
+{
+    witness *w = (witness *)self;
+    return w->next->stack_end(w->next, err);
+}
+
+static il_status see_end(il_sink *self, il_error *err)
+{
+    witness *w = (witness *)self;
+    return w->next->end(w->next, err);
+}
 
 /* The native text that FILES become (null-terminated list), without its first line and
  * its last; the error's text after a failure. */
@@ -141,12 +179,15 @@ static const char *run(const char *const *file, const il_read_options *o)
     il_sink *writer = NULL;
     il_error err = IL_ERROR_INIT;
     size_t n = 0, size;
+    static const char *const names[] = { "map", "two", "three", "four" };
     il_report_free(&report);
     for (; file[n]; n++)
-        assert_int_equal(il_source_from_memory(&source[n], file[n], strlen(file[n]), "map", &err), IL_OK);
+        assert_int_equal(il_source_from_memory(&source[n], file[n], strlen(file[n]), names[n], &err), IL_OK);
     assert_int_equal(il_output_to_memory(&out, &err), IL_OK);
     assert_int_equal(il_writer_loft.contours_new(&writer, out, &err), IL_OK);
-    il_status st = il_map_read("Test", parse, source, n, o, writer, &report, &err);
+    witness w = { .sink = { see_stack, see_slice, NULL, see_stack_end, see_end }, .next = writer };
+    il_status st = il_map_read("Test", parse, source, n, o, &w.sink, &report, &err);
+    il_stack_head_free(&w.head);
     const unsigned char *text = il_output_memory(out, &size);
     if (st == IL_OK)
         snprintf(output, sizeof output, "%.*s", (int)(size - strlen("isoloft 1\nend\n")), (const char *)text + strlen("isoloft 1\n"));
@@ -362,6 +403,17 @@ static void feet_become_the_unit_of_the_stack(void **state)
     assert_contains(read_map("crs 'PROJCS[\"x\",GEOGCS[\"y\",UNIT[\"Degree\",0.0174532925199433]],UNIT[\"Foot_US\",0.3048006096012192]]' "
                              TWO("a elev 10", "a elev 20"), NULL), "unit ft");
     assert_noted("U.S. survey feet");
+}
+
+static void heights_that_conversion_takes_beyond_the_bound_are_refused(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    o.map.has_z_unit = true;
+    o.map.z_unit = IL_UNIT_KM;
+    const char *text = "unit um " TWO("a elev 1", "a elev 1000000");
+    assert_string_equal(read_map(text, &o), "a height reaches 1e15 when converted to um");
+    assert_string_equal(heights(read_map("unit um " TWO("a elev 1", "f a name x line 0 0 9 9 f a elev 900000"), &o)), " 1e+09 9e+14");
 }
 
 static void levels_that_only_decimals_tell_apart_are_one(void **state)
@@ -661,6 +713,20 @@ static void lines_within_edges_are_dropped(void **state)
     assert_contains(read_map("f a elev 5 line 0 0 9 0 9 9 0 0 4 0" OTHER, NULL), "slice 5\nline\n0 0\n9 0\n9 9\n0 0\n");
 }
 
+/* ---- where lines come from ----------------------------------------------------------- */
+
+static void lines_know_their_file_and_feature(void **state)
+{
+    (void)state;
+    const char *const files[] = { "f a elev 10 line 0 0 9 0 f a name x f a elev 20 line 0 5 9 5 line 0 6 9 6",
+                                  "f a elev 20 line 0 7 9 7 f a elev 10 line 0 8 9 8", NULL };
+    run(files, &defaults);
+    assert_string_equal(origins, " map:1 two:2 map:3 map:3 two:1");
+    read_map("f a min 0 a max 10 ring 0 0 5 0 5 9 0 9 f a min 10 a max 20 ring 5 0 9 0 9 9 5 9 "
+             "f a min 20 a max 30 ring 9 0 12 0 12 9 9 9", NULL);
+    assert_string_equal(origins, " map:2 map:3"); /* borders, of the band above them */
+}
+
 /* ---- long edges ------------------------------------------------------------------- */
 
 static void long_edges_get_vertices_of_their_own(void **state)
@@ -699,6 +765,7 @@ int main(void)
         cmocka_unit_test(a_map_without_lines_is_refused),
         cmocka_unit_test(depths_count_down),
         cmocka_unit_test(feet_become_the_unit_of_the_stack),
+        cmocka_unit_test(heights_that_conversion_takes_beyond_the_bound_are_refused),
         cmocka_unit_test(levels_that_only_decimals_tell_apart_are_one),
         cmocka_unit_test(degrees_are_believed_where_they_can_be),
         cmocka_unit_test(what_relief_denies_is_not_taken_for_degrees),
@@ -722,6 +789,7 @@ int main(void)
         cmocka_unit_test(ends_on_an_edge_of_another_sheet_are_taken_off),
         cmocka_unit_test(ends_beside_an_edge_stay),
         cmocka_unit_test(lines_within_edges_are_dropped),
+        cmocka_unit_test(lines_know_their_file_and_feature),
         cmocka_unit_test(long_edges_get_vertices_of_their_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

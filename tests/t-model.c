@@ -167,6 +167,7 @@ static il_stack_head full_head(void)
     assert_true(il_grow(&h.attribute, &h.cap_attributes, 2, sizeof *h.attribute));
     h.attribute[h.n_attributes++] = (il_attribute){ text("a"), text("1") };
     h.attribute[h.n_attributes++] = (il_attribute){ text("b"), text("") };
+    assert_true(il_stack_head_set_files(&h, (const char *const[]){ "a.shp", "b\n.shp" }, 2));
     assert_true(il_extra_add(&h.extra, "x-one 1", 7));
     assert_true(il_extra_add(&h.extra, "x-two 2", 7));
     return h;
@@ -185,6 +186,9 @@ static void assert_same_head(const il_stack_head *a, const il_stack_head *b)
         assert_string_equal(a->attribute[i].key, b->attribute[i].key);
         assert_string_equal(a->attribute[i].value, b->attribute[i].value);
     }
+    assert_int_equal(a->n_files, b->n_files);
+    for (size_t i = 0; i < a->n_files; i++)
+        assert_string_equal(a->file[i], b->file[i]);
     const il_extra *x = a->extra, *y = b->extra;
     for (; x && y; x = x->next, y = y->next)
         assert_string_equal(x->text, y->text);
@@ -208,10 +212,12 @@ static void a_head_is_copied_whole_or_not_at_all(void **state)
         assert_int_equal(err.code, IL_E_NOMEM);
         assert_null(copy.name);
         assert_int_equal(copy.n_attributes, 0);
+        assert_int_equal(copy.n_files, 0);
         assert_true(k < 100);
     }
-    assert_true(k >= 11); /* name, crs, list, 4 texts, 2 x- lines of 2 blocks */
+    assert_true(k >= 14); /* name, crs, list, 4 texts, list, 2 names, 2 x- lines of 2 blocks */
     assert_same_head(&h, &copy);
+    assert_string_equal(copy.file[1], "b\\x0a.shp");
     il_stack_head_free(&copy);
     il_stack_head_free(&copy);
     il_stack_head_free(&h);
@@ -239,6 +245,8 @@ static il_slice square_with_a_hole(void)
     assert_non_null(r);
     *r = rectangle(0, 0);
     r->line = 9;
+    r->feature = 4;
+    r->file = 1;
     r = il_slice_add_ring(&s);
     assert_non_null(r);
     assert_true(il_ring_add(r, 1, 1, IL_VERTEX_INSERTED));
@@ -267,7 +275,7 @@ static void a_slice_is_copied_whole_or_not_at_all(void **state)
         assert_true(k < 100);
     }
     assert_true(copy.z == 2.5 && copy.line == 7 && copy.n == 2);
-    assert_int_equal(copy.ring[0].line, 9);
+    assert_true(copy.ring[0].line == 9 && copy.ring[0].feature == 4 && copy.ring[0].file == 1);
     assert_null(copy.ring[0].mark);
     assert_memory_equal(copy.ring[0].xy, s.ring[0].xy, 8 * sizeof(double));
     assert_ptr_not_equal(copy.ring[0].xy, s.ring[0].xy);

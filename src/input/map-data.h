@@ -65,6 +65,7 @@ typedef struct il_map {
     bool more_columns;          /* than are kept */
     size_t n_features, n_files;
     const char **file;          /* borrowed names */
+    size_t *first_feature;      /* of each file */
     char *crs;                  /* as the first file that says has it; null when none does */
     il_crs meaning;             /* of crs */
     bool degrees;               /* x and y are; until map-degrees: the format or the columns' names say so */
@@ -81,6 +82,12 @@ typedef struct il_map {
 static inline const char *il_map_file_of(const il_map *m, const il_map_line *l)
 {
     return m->file[l->file];
+}
+
+/* Which of its file's features L is of, from 1. */
+static inline long il_map_feature_of(const il_map *m, const il_map_line *l)
+{
+    return (long)(l->feature - m->first_feature[l->file]) + 1;
 }
 
 /* Has L a height, so that it takes part? */

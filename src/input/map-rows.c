@@ -218,7 +218,8 @@ static il_status begin_line(division *d, size_t k, size_t i, il_error *err)
     d->open = !d->skipping;
     if (d->skipping) {
         il_map_skip(d->set, line, "line", "its height varies: it is no isoline");
-        return IL_OK;
+        il_status st = il_map_begin_feature(d->set, line, err);
+        return st == IL_OK ? il_map_end_feature(d->set, err) : st;
     }
     il_status st = il_map_begin_feature(d->set, line, err);
     if (st == IL_OK && names->height)
@@ -297,6 +298,7 @@ il_status il_map_rows_emit(const il_map_rows *r, const il_map_rows_names *names,
     division d = { .rows = r, .names = names, .set = set, .gap = INFINITY };
     il_status st = IL_OK;
     unsigned numbering = find_numbering(r, names, set);
+    il_map_count_from_here(set);
     d.by_shape = numbering == 0;
     d.cuts = IL_MAP_ROWS_BREAK | (d.by_shape ? IL_MAP_ROWS_HEIGHT : numbering);
     if (d.by_shape)

@@ -46,6 +46,11 @@ il_status il_map_end_feature(il_map_set *s, il_error *err)
     return IL_OK;
 }
 
+void il_map_count_from_here(il_map_set *s)
+{
+    s->map.first_feature[s->file] = s->map.n_features;
+}
+
 il_status il_map_begin_part(il_map_set *s, il_map_part kind, long line, il_error *err)
 {
     il_map *m = &s->map;
@@ -310,6 +315,7 @@ static void free_set(il_map_set *s)
     il_free(m->crs);
     il_free(m->mark);
     il_free(m->file);
+    il_free(m->first_feature);
 }
 
 static il_status parse_all(il_map_set *s, il_map_parse *parse, il_source *const *source, size_t n, il_error *err)
@@ -319,6 +325,7 @@ static il_status parse_all(il_map_set *s, il_map_parse *parse, il_source *const 
         s->file = (uint32_t)k;
         s->is_degrees = false;
         s->map.file[k] = il_source_name(source[k]);
+        il_map_count_from_here(s);
         st = parse(source[k], s, s->map.options, err);
         if (st != IL_OK)
             il_error_set_file(err, il_source_name(source[k]));
@@ -353,7 +360,8 @@ il_status il_map_read(const char *format, il_map_parse *parse, il_source *const 
     il_map_set s = { .map = { .format = format, .options = options, .report = report, .n_files = n } };
     il_crs_parse(NULL, &s.map.meaning);
     s.map.file = il_calloc(n, sizeof *s.map.file);
-    il_status st = s.map.file ? parse_all(&s, parse, source, n, err) : il_fail_nomem(err);
+    s.map.first_feature = il_calloc(n, sizeof *s.map.first_feature);
+    il_status st = s.map.file && s.map.first_feature ? parse_all(&s, parse, source, n, err) : il_fail_nomem(err);
     if (st == IL_OK)
         st = make_stack(&s.map, sink, err);
     free_set(&s);

@@ -29,6 +29,9 @@ typedef enum il_map_part { IL_MAP_LINE, IL_MAP_RING, IL_MAP_POINT } il_map_part;
 il_status il_map_begin_feature(il_map_set *s, long line, il_error *err);
 il_status il_map_end_feature(il_map_set *s, il_error *err);
 
+/* Features of the file so far only told what all have in common: the next is its first. */
+void il_map_count_from_here(il_map_set *s);
+
 il_status il_map_begin_part(il_map_set *s, il_map_part kind, long line, il_error *err);
 /* z: NAN when the point has none.  Repeated points may come; they are dropped later. */
 il_status il_map_point(il_map_set *s, double x, double y, double z, long line, il_error *err);

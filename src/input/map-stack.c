@@ -34,7 +34,9 @@ static bool add_line(const il_map *m, il_slice *s, const il_map_line *l)
     if (!r)
         return false;
     r->open = !l->closed;
+    r->file = l->file;
     r->line = l->line;
+    r->feature = il_map_feature_of(m, l);
     for (size_t k = l->begin; k < l->begin + l->n; k++)
         if (!il_ring_add(r, m->xy[2 * k], m->xy[2 * k + 1], m->mark ? m->mark[k] : 0))
             return false;
@@ -87,7 +89,8 @@ il_status il_map_emit(il_map *m, il_sink *sink, il_error *err)
     head.projection = m->projection;
     memcpy(head.geographic, m->box, sizeof head.geographic);
     il_map_line **sorted = sort_lines(m, &n);
-    bool ok = sorted && il_stack_head_set_name(&head, "", 0) && set_crs(&head, m->crs);
+    bool ok = sorted && il_stack_head_set_name(&head, "", 0) && il_stack_head_set_files(&head, m->file, m->n_files) &&
+              set_crs(&head, m->crs);
     il_status st = ok ? IL_OK : il_fail_nomem(err);
     if (st == IL_OK)
         st = sink->stack_begin(sink, &head, err);

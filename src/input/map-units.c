@@ -89,21 +89,44 @@ static double converted(double z, il_unit from, il_unit to)
     return a == b ? z : b == 1 ? z * a : a == 1 ? z / b : z * a / b;
 }
 
-static void convert(il_map *m)
+/* Kilometres may reach the bound when they become micrometres. */
+static il_status convert_heights(il_map *m, il_unit from, il_unit to, bool down, il_error *err)
+{
+    for (size_t i = 0; i < m->n_lines; i++) {
+        il_map_line *l = &m->line[i];
+        if (!il_map_takes_part(l))
+            continue;
+        double z = converted(l->height, from, to);
+        if (!(fabs(z) < IL_COORDINATE_BOUND)) {
+            il_fail(err, IL_E_INPUT, l->line, "a height reaches 1e15 when converted to %s", il_unit_name(to));
+            il_error_set_file(err, il_map_file_of(m, l));
+            return IL_E_INPUT;
+        }
+        l->height = (down ? -z : z) + 0.0;
+    }
+    return IL_OK;
+}
+
+static void tell_heights(const il_map *m, il_unit from, il_unit to, bool down)
 {
     char place[200];
-    il_unit to = m->unit == IL_UNIT_DEG ? IL_UNIT_M : m->unit, from = find_z_unit(m);
-    bool down = points_down(m), other = from != to;
-    for (size_t i = 0; i < m->n_lines; i++) {
-        double z = converted(m->line[i].height, from, to);
-        m->line[i].height = (down ? -z : z) + 0.0;
-    }
+    bool other = from != to;
     il_report_note(m->report, "heights: %s, %s%s%s%s", il_map_place_words(m, place, sizeof place), il_unit_name(from),
                    other ? ", converted to " : "", other ? il_unit_name(to) : "", down ? ", positive down" : "");
     if (!down && is_depth(m) && m->options->map.depth == IL_DEPTH_AUTO)
         il_report_note(m->report, "depths are below 0, so they are taken as heights (--depth turns them over)");
     if (m->place.kind != IL_MAP_Z && m->column[m->place.low].mixed_units)
         il_report_note(m->report, "heights state different units, which are not converted: all are taken as %s", il_unit_name(from));
+}
+
+static il_status convert(il_map *m, il_error *err)
+{
+    il_unit to = m->unit == IL_UNIT_DEG ? IL_UNIT_M : m->unit, from = find_z_unit(m);
+    bool down = points_down(m);
+    il_status st = convert_heights(m, from, to, down, err);
+    if (st == IL_OK)
+        tell_heights(m, from, to, down);
+    return st;
 }
 
 /* ---- levels --------------------------------------------------------------------- */
@@ -192,6 +215,6 @@ static il_status settle_levels(il_map *m, il_error *err)
 il_status il_map_settle_units(il_map *m, il_error *err)
 {
     find_unit(m);
-    convert(m);
-    return settle_levels(m, err);
+    il_status st = convert(m, err);
+    return st == IL_OK ? settle_levels(m, err) : st;
 }

@@ -9,8 +9,8 @@
 #include "input/map-data.h"
 
 /* Settle m->unit, convert the heights, turn depths over, make levels that differ by
- * decimals only one, and tell all that.  IL_E_INPUT when there is one level only and
- * nothing tells which side is high; IL_E_NOMEM. */
+ * decimals only one, and tell all that.  IL_E_INPUT when a height leaves 1e15, or there
+ * is one level only and nothing tells which side is high; IL_E_NOMEM. */
 il_status il_map_settle_units(il_map *m, il_error *err);
 
 #endif

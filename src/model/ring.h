@@ -19,19 +19,30 @@ enum {
  * repeat its first vertex.  After normalisation: no two neighbours are equal, no
  * vertex comes twice, the region lies on the left (outer rings counter-clockwise
  * seen from +z, holes clockwise).  mark[n] holds the marks, or is null for none.
- * extra: unknown x- lines of the record, carried through (see il_extra). */
+ * file, line, feature: where the record stood in the input: which of the stack head's
+ * files, where they are known; the line there, and which of its features it was, from 1;
+ * 0 unknown.  extra: unknown x- lines of the record, carried through (see il_extra). */
 typedef struct il_ring {
     double *xy;
     unsigned char *mark;
     size_t n, cap, cap_mark;
     bool open;
-    long line;              /* where the record stood in the input, for errors; 0 unknown */
+    uint32_t file;
+    long line, feature;
     struct il_extra *extra;
 } il_ring;
 
-#define IL_RING_INIT { NULL, NULL, 0, 0, 0, false, 0, NULL }
+#define IL_RING_INIT { NULL, NULL, 0, 0, 0, false, 0, 0, 0, NULL }
 
 void il_ring_free(il_ring *r); /* leaves IL_RING_INIT; safe twice */
+
+/* TO came from where FROM did. */
+static inline void il_ring_take_origin(il_ring *to, const il_ring *from)
+{
+    to->file = from->file;
+    to->line = from->line;
+    to->feature = from->feature;
+}
 
 /* Append (x, y) with marks; false when there is no memory. */
 bool il_ring_add(il_ring *r, double x, double y, unsigned char mark);

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "model/stack.h"
 #include "base/alloc.h"
+#include "base/text.h"
 
 #include <string.h>
 
@@ -36,6 +37,8 @@ double il_unit_metres(il_unit u)
 
 /* ---- stack head ----------------------------------------------------------- */
 
+enum { SHOWN_MOST = 512 }; /* bytes of the name of a file */
+
 void il_stack_head_free(il_stack_head *h)
 {
     il_free(h->name);
@@ -46,6 +49,9 @@ void il_stack_head_free(il_stack_head *h)
         il_free(h->attribute[i].value);
     }
     il_free(h->attribute);
+    for (size_t i = 0; i < h->n_files; i++)
+        il_free(h->file[i]);
+    il_free(h->file);
     il_extra_free(&h->extra);
     *h = (il_stack_head)IL_STACK_HEAD_INIT;
 }
@@ -75,6 +81,19 @@ bool il_stack_head_add_attribute(il_stack_head *h, const char *key, const char *
     il_attribute a = { il_strndup(key, strlen(key)), il_strndup(value, strlen(value)) };
     h->attribute[h->n_attributes++] = a;
     return a.key && a.value;
+}
+
+bool il_stack_head_set_files(il_stack_head *h, const char *const *name, size_t n)
+{
+    char shown[SHOWN_MOST];
+    h->file = il_calloc(n, sizeof *h->file);
+    for (size_t i = 0; i < n && h->file; i++) {
+        h->file[i] = il_strndup(shown, il_text_printable(shown, sizeof shown, name[i], strlen(name[i])));
+        if (!h->file[i])
+            return false;
+        h->n_files++;
+    }
+    return h->file != NULL;
 }
 
 const char *il_stack_head_name(const il_stack_head *h)
@@ -140,16 +159,29 @@ static bool copy_attributes(il_stack_head *to, const il_stack_head *from)
     return true;
 }
 
+static bool copy_files(il_stack_head *to, const il_stack_head *from)
+{
+    if (from->n_files == 0)
+        return true;
+    to->file = il_calloc(from->n_files, sizeof *to->file);
+    for (; to->file && to->n_files < from->n_files; to->n_files++)
+        if (!copy_text(&to->file[to->n_files], from->file[to->n_files]))
+            return false;
+    return to->file != NULL;
+}
+
 il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err)
 {
     *to = *from;
     to->name = to->crs = to->fault = NULL;
     to->attribute = NULL;
     to->n_attributes = to->cap_attributes = 0;
+    to->file = NULL;
+    to->n_files = 0;
     to->extra = NULL;
     if (copy_text(&to->name, from->name) && copy_text(&to->crs, from->crs) &&
         copy_text(&to->fault, from->fault) &&
-        copy_attributes(to, from) && copy_extra(&to->extra, from->extra))
+        copy_attributes(to, from) && copy_files(to, from) && copy_extra(&to->extra, from->extra))
         return IL_OK;
     il_stack_head_free(to);
     return il_fail_nomem(err);
@@ -225,7 +257,7 @@ bool il_slice_equal_rings(const il_slice *a, const il_slice *b)
 static bool copy_ring(il_ring *to, const il_ring *from)
 {
     to->open = from->open;
-    to->line = from->line;
+    il_ring_take_origin(to, from);
     if (from->n > 0) {
         if (!il_grow(&to->xy, &to->cap, from->n, 2 * sizeof *to->xy))
             return false;

@@ -35,7 +35,9 @@ typedef struct il_attribute { char *key, *value; } il_attribute;
  * length_scale: what its lengths were multiplied by since they were read, 0 where
  * they were not.  has_geographic: it was in degrees, from west, south, east and
  * north as in geographic, and `projection` made metres of them; the native format does
- * not carry that.  has_placement: the mesh made of it is not where its contours are. */
+ * not carry that.  has_placement: the mesh made of it is not where its contours are.
+ * file[n_files]: what it was read from, by names that can be shown; rings tell which of
+ * them; none where that is not known. */
 typedef struct il_stack_head {
     char *name;
     char *crs;
@@ -53,6 +55,8 @@ typedef struct il_stack_head {
     il_placement placement;
     char *fault;
     long fault_line;
+    char **file;
+    size_t n_files;
     il_attribute *attribute;
     size_t n_attributes, cap_attributes;
     il_extra *extra;
@@ -66,6 +70,8 @@ void il_stack_head_free(il_stack_head *h);
 il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err);
 /* Replace the name by the N bytes at S. */
 bool il_stack_head_set_name(il_stack_head *h, const char *s, size_t n);
+/* Name the N files of a head that has none; false when there is no memory. */
+bool il_stack_head_set_files(il_stack_head *h, const char *const *name, size_t n);
 /* A point of the stack in world coordinates, by the frame if there is one; -0 as
  * 0.  TO may be FROM. */
 void il_stack_head_place(const il_stack_head *h, const double from[3], double to[3]);

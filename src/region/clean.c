@@ -200,8 +200,8 @@ static il_status hand_down(il_slice *from, const il_arrangement *a, il_slice *to
     bool ok = f && find_fates(f, from->n, a, to);
     for (size_t i = 0; ok && i < from->n; i++) {
         il_ring *heir = f[i].heir == UINT32_MAX ? NULL : &to->ring[f[i].heir];
-        if (heir && heir->line == 0)
-            heir->line = from->ring[i].line;
+        if (heir && heir->line == 0 && heir->feature == 0)
+            il_ring_take_origin(heir, &from->ring[i]);
         il_extra_move(heir ? &heir->extra : &to->extra, &from->ring[i].extra);
         if (f[i].turned && !f[i].kept)
             il_report_repair(report, IL_REPAIR_REVERSED_RING, 1);

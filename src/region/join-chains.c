@@ -111,7 +111,7 @@ static bool build(const maker *m, il_ring *r)
         for (size_t i = 0; i < m->n_links; i++)
             n += piece_of(m, &m->link[i])->n;
         r->open = true;
-        r->line = first->line;
+        il_ring_take_origin(r, first);
         if (!il_grow(&r->xy, &r->cap, n, 2 * sizeof *r->xy))
             return false;
         for (size_t i = 0; i < m->n_links; i++)

@@ -241,7 +241,7 @@ static bool add_loop(il_slice *s, const il_outline *o, const il_ring *from, cons
     while (ok && r->n > 1 && memcmp(r->xy, r->xy + 2 * (r->n - 1), 2 * sizeof *r->xy) == 0)
         r->n--;
     if (ok)
-        r->line = from->line;
+        il_ring_take_origin(r, from);
     return ok;
 }
 

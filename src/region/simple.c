@@ -60,7 +60,7 @@ static bool turn(il_slice *s, size_t i)
 
 static bool copy_ring(il_ring *to, il_ring *from)
 {
-    to->line = from->line;
+    il_ring_take_origin(to, from);
     il_extra_move(&to->extra, &from->extra);
     for (size_t i = 0; i < from->n; i++)
         if (!il_ring_add(to, vertex(from, i)[0], vertex(from, i)[1], from->mark ? from->mark[i] : 0))

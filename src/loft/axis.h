@@ -7,7 +7,7 @@
 #ifndef IL_LOFT_AXIS_H
 #define IL_LOFT_AXIS_H
 
-#include "loft/nearest.h"
+#include "base/nearest.h"
 #include "loft/sector.h"
 
 /* Twice: assign labels, break the flat edges of O at their middles by free

@@ -8,7 +8,7 @@
 #include "config.h"
 #include "loft/seam.h"
 #include "base/alloc.h"
-#include "loft/nearest.h"
+#include "base/nearest.h"
 
 #include <math.h>
 #include <stdlib.h>

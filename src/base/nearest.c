@@ -1,5 +1,5 @@
 #include "config.h"
-#include "loft/nearest.h"
+#include "base/nearest.h"
 #include "base/alloc.h"
 
 #include <math.h>
@@ -179,12 +179,50 @@ double il_nearest_distance(const il_nearest *t, size_t c, double x, double y)
     return sqrt(q.least);
 }
 
+static bool find_place(const il_nearest *t, size_t c, search *q, il_near *out)
+{
+    find(t, c, q);
+    if (!q->best)
+        return false;
+    *out = (il_near){ q->best->id, nearest_t(q->best, q->x, q->y), sqrt(q->least) };
+    return true;
+}
+
 bool il_nearest_find(const il_nearest *t, size_t c, double x, double y, double dx, double dy, il_near *out)
 {
     search q = { .x = x, .y = y, .dx = dx, .dy = dy, .directed = true };
-    find(t, c, &q);
-    if (!q.best)
+    return find_place(t, c, &q, out);
+}
+
+bool il_nearest_point(const il_nearest *t, size_t c, double x, double y, il_near *out)
+{
+    search q = { .x = x, .y = y };
+    return find_place(t, c, &q, out);
+}
+
+static bool boxes_meet(const double *a, const double *b)
+{
+    return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
+}
+
+static bool show(const double *box, const il_segment *s, size_t n, const double *wanted, il_nearest_visitor *visit, void *context)
+{
+    if (!boxes_meet(box, wanted))
         return false;
-    *out = (il_near){ q.best->id, nearest_t(q.best, x, y), sqrt(q.least) };
-    return true;
+    if (n > LEAF)
+        return show(box + 4, s, n / 2, wanted, visit, context) ||
+               show(box + 4 + 4 * boxes_of(n / 2), s + n / 2, n - n / 2, wanted, visit, context);
+    for (size_t i = 0; i < n; i++) {
+        double own[4];
+        bound(own, &s[i], 1);
+        if (boxes_meet(own, wanted) && visit(context, &s[i]))
+            return true;
+    }
+    return false;
+}
+
+bool il_nearest_visit(const il_nearest *t, size_t c, const double box[4], il_nearest_visitor *visit, void *context)
+{
+    size_t n = t->first[c + 1] - t->first[c];
+    return n > 0 && show(t->box + 4 * t->root[c], t->segment + t->first[c], n, box, visit, context);
 }

@@ -1,6 +1,6 @@
 /* nearest.h - distance to the nearest of a set of segments. */
-#ifndef IL_LOFT_NEAREST_H
-#define IL_LOFT_NEAREST_H
+#ifndef IL_BASE_NEAREST_H
+#define IL_BASE_NEAREST_H
 
 #include "base/status.h"
 
@@ -42,5 +42,14 @@ typedef struct il_near {
 /* The place of class C nearest to (X, Y) on segments that turn less than a right
  * angle from (DX, DY); false when there are none. */
 bool il_nearest_find(const il_nearest *t, size_t c, double x, double y, double dx, double dy, il_near *out);
+
+/* Likewise on all segments of the class. */
+bool il_nearest_point(const il_nearest *t, size_t c, double x, double y, il_near *out);
+
+/* Show VISIT each segment of class C whose own box meets BOX (least x and y, greatest x
+ * and y), until it says true: what it said last, false when there was none.  CONTEXT is
+ * passed on. */
+typedef bool il_nearest_visitor(void *context, const il_segment *s);
+bool il_nearest_visit(const il_nearest *t, size_t c, const double box[4], il_nearest_visitor *visit, void *context);
 
 #endif

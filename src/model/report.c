@@ -34,6 +34,7 @@ static const struct { const char *key, *words; } repairs[IL_N_REPAIRS] = {
     [IL_REPAIR_REVERSED_LINE]   = { "reversed_lines",   "piece of a line turned round" },
     [IL_REPAIR_KNOT]            = { "knots",            "place where more than two ends meet, left apart" },
     [IL_REPAIR_CRUMB]           = { "crumbs",           "line of two points that nothing is joined to" },
+    [IL_REPAIR_MISSING_LINE]    = { "missing_lines",    "face that lines were missing in, interpolated" },
 };
 
 const char *il_repair_key(il_repair r)

@@ -35,6 +35,7 @@ typedef enum il_repair {
     IL_REPAIR_REVERSED_LINE,    /* pieces turned round so that a joined line runs one way */
     IL_REPAIR_KNOT,             /* places where more than two ends meet; left apart */
     IL_REPAIR_CRUMB,            /* lines of two points that nothing is joined to; kept */
+    IL_REPAIR_MISSING_LINE,     /* faces of a map between levels that are no neighbours; lines interpolated */
     IL_N_REPAIRS
 } il_repair;
 

@@ -1,0 +1,71 @@
+#include "config.h"
+#include "terrain/complaint.h"
+#include "base/number.h"
+
+#include <stdio.h>
+
+static const il_ring *ring_of(const il_complaint *c, uint32_t l)
+{
+    return &c->slice[c->line[l].level].ring[c->line[l].ring];
+}
+
+static const char *file_of(const il_complaint *c, const il_ring *r)
+{
+    return r->file < c->head->n_files ? c->head->file[r->file] : NULL;
+}
+
+/* Heights of a map in degrees are metres. */
+static const char *unit_of_heights(const il_stack_head *h)
+{
+    return il_unit_name(h->unit == IL_UNIT_DEG ? IL_UNIT_M : h->unit);
+}
+
+void il_complaint_name(const il_complaint *c, uint32_t l, char *to, size_t n)
+{
+    const il_ring *r = ring_of(c, l);
+    char z[IL_NUMBER_MAX], where[64] = "";
+    il_number_format(z, c->slice[c->line[l].level].z);
+    if (r->feature > 0 && r->line > 0)
+        snprintf(where, sizeof where, " (feature %ld, line %ld)", r->feature, r->line);
+    else if (r->feature > 0 || r->line > 0)
+        snprintf(where, sizeof where, r->feature > 0 ? " (feature %ld)" : " (line %ld)", r->feature > 0 ? r->feature : r->line);
+    snprintf(to, n, "the isoline of %s %s%s", z, unit_of_heights(c->head), where);
+}
+
+static void name_place(const double at[2], char to[2 * IL_NUMBER_MAX + 16])
+{
+    char x[IL_NUMBER_MAX], y[IL_NUMBER_MAX];
+    il_number_format(x, at[0]);
+    il_number_format(y, at[1]);
+    snprintf(to, 2 * IL_NUMBER_MAX + 16, "near (%s, %s)", x, y);
+}
+
+void il_complaint_against(const il_complaint *c, uint32_t l, const double at[2], const char *why, uint32_t other)
+{
+    char name[160], against[160], place[2 * IL_NUMBER_MAX + 16], reason[600];
+    const il_ring *r = ring_of(c, l);
+    il_complaint_name(c, l, name, sizeof name);
+    name_place(at, place);
+    if (other < c->n_lines) {
+        il_complaint_name(c, other, against, sizeof against);
+        snprintf(reason, sizeof reason, "%s, against %s, %s; left out", why, against, place);
+    } else {
+        snprintf(reason, sizeof reason, "%s, %s; left out", why, place);
+    }
+    il_report_skip(c->report, file_of(c, r), r->line, name, reason);
+}
+
+void il_complaint_left_out(const il_complaint *c, uint32_t l, const double at[2], const char *why)
+{
+    il_complaint_against(c, l, at, why, UINT32_MAX);
+}
+
+void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const double at[2])
+{
+    char first[160], second[160] = "the edge of the map", place[2 * IL_NUMBER_MAX + 16];
+    il_complaint_name(c, a, first, sizeof first);
+    if (b < c->n_lines)
+        il_complaint_name(c, b, second, sizeof second);
+    name_place(at, place);
+    il_report_note(c->report, "between %s and %s, %s, lines are missing: interpolated", first, second, place);
+}

@@ -146,12 +146,44 @@ static void what_makes_no_sense_is_a_usage_error(void **state)
         "x --pairs -", "x -o - --pairs -", "x -o y.stl --json=y.stl", "read x --pairs y", "match --spacing 1",
         "--output= x", "x --json=",
         "x --list -o y", "x --list --pairs y", "read x --list -o -", "match --list", "check x --list", "plot --list",
-        "info x --ras", "match --ras", "mesh --ras", "x --roi", "x --no-roi", "check x --roi y" };
+        "info x --ras", "match --ras", "mesh --ras", "x --roi", "x --no-roi", "check x --roi y",
+        "x --base 3", "x --solid --base x", "x --solid --base 1e15", "x --solid --base=", "read x --solid", "match --fit 1",
+        "x --fit 0", "x --fit -3", "x --fit 3deg", "x --fit mm", "x --fit 3mmm", "x --fit=", "x --fit 1e15", "x --z-scale 0",
+        "x --z-scale -1", "x --z-scale x", "x --z-scale 3x", "plot --solid", "check x --recentre", "match --high left" };
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         if (PARSE(o, lines[k]) != IL_E_USAGE)
             fail_msg("accepted: %s", lines[k]);
         assert_int_equal(err.code, IL_E_USAGE);
         assert_true(err.text[0] != '\0');
+        il_options_free(&o);
+    }
+}
+
+static void placement_of_maps_depends_on_the_format(void **state)
+{
+    (void)state;
+    char buf[400];
+    il_options o;
+    il_error err;
+    static const struct { const char *line; bool recentre, round_float; } c[] = {
+        { "x", true, true }, { "x -o y.ply", false, false }, { "x -o y.ply --recentre", true, false },
+        { "x --no-recentre", false, true }, { "x -t stl-ascii", true, true }, { "info x", false, false } };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
+        assert_int_equal(PARSE(o, c[k].line), IL_OK);
+        assert_true(o.relief.placement.recentre == c[k].recentre && o.relief.placement.round_float == c[k].round_float);
+        assert_true(o.relief.placement.fit == 0 && o.relief.placement.z_scale == 1 && !o.relief.placement.solid);
+        il_options_free(&o);
+    }
+    assert_int_equal(PARSE(o, "x --solid --base -12.5 --z-scale 2 --fit 6in --high right"), IL_OK);
+    assert_true(o.relief.placement.solid && o.relief.placement.has_base && o.relief.placement.base == -12.5);
+    assert_true(o.relief.placement.z_scale == 2 && o.relief.placement.fit == 152.4);
+    assert_int_equal(o.relief.high, IL_SIDE_RIGHT);
+    il_options_free(&o);
+    static const struct { const char *line; double fit; } fits[] = {
+        { "x --fit 150", 150 }, { "x --fit 150mm", 150 }, { "x --fit=15cm", 150 }, { "x --fit .15m", 150 } };
+    for (size_t k = 0; k < sizeof fits / sizeof *fits; k++) {
+        assert_int_equal(PARSE(o, fits[k].line), IL_OK);
+        assert_true(o.relief.placement.fit == fits[k].fit);
         il_options_free(&o);
     }
 }
@@ -211,6 +243,7 @@ int main(void)
         cmocka_unit_test(every_switch_can_be_taken_back),
         cmocka_unit_test(the_format_follows_the_name_unless_t_gives_it),
         cmocka_unit_test(what_makes_no_sense_is_a_usage_error),
+        cmocka_unit_test(placement_of_maps_depends_on_the_format),
         cmocka_unit_test(values_reach_their_place),
         cmocka_unit_test(a_list_needs_no_output_format),
         cmocka_unit_test(control_characters_of_the_line_are_not_echoed),

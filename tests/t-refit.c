@@ -398,6 +398,42 @@ static void slices_without_pairs_pass(void **state)
     free_keeper(&k);
 }
 
+/* It is rounded where its surface is made, when it has its place. */
+static void terrain_passes_as_it_is(void **state)
+{
+    (void)state;
+    const il_clean_options o = { .round_float = true };
+    il_stack_head head = IL_STACK_HEAD_INIT;
+    head.kind = IL_KIND_TERRAIN;
+    uint64_t seed = 6;
+    il_slice s[2] = { noisy_boxes(2, 5, 1e-7, &seed), noisy_boxes(2, 5, 1e-7, &seed) }, copy[2];
+    s[0].z = 0.1;
+    s[1].z = nextafter(0.1, 1); /* the same as a float */
+    s[0].ring[0].open = true;
+    il_pair p = IL_PAIR_INIT;
+    keeper k = new_keeper();
+    il_refit *r = NULL;
+    il_sink *cleaner = NULL;
+    assert_int_equal(il_refit_new(&r, &k.sink, NULL), IL_OK);
+    assert_int_equal(il_cleaner_new(&cleaner, &o, il_refit_behind(r), NULL, NULL), IL_OK);
+    il_sink *to = il_refit_before(r, cleaner);
+    assert_int_equal(to->stack_begin(to, &head, NULL), IL_OK);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(il_slice_copy(&copy[i], &s[i], NULL), IL_OK);
+        assert_int_equal(to->slice(to, &copy[i], NULL), IL_OK);
+        il_slice_free(&copy[i]);
+    }
+    assert_int_equal(to->pair(to, &p, NULL), IL_OK);
+    assert_int_equal(to->stack_end(to, NULL), IL_OK);
+    assert_true(k.n_slices == 2 && k.n_pairs == 1);
+    for (int i = 0; i < 2; i++)
+        assert_true(k.slice[i].z == s[i].z && il_slice_equal_rings(&k.slice[i], &s[i]));
+    il_cleaner_free(cleaner);
+    il_refit_free(r);
+    free_keeper(&k);
+    free_both(s);
+}
+
 static void little_memory_is_told(void **state)
 {
     (void)state;
@@ -435,6 +471,7 @@ int main(void)
         cmocka_unit_test(what_rounding_joins_is_matched_anew),
         cmocka_unit_test(pairs_that_name_nothing_pass),
         cmocka_unit_test(slices_without_pairs_pass),
+        cmocka_unit_test(terrain_passes_as_it_is),
         cmocka_unit_test(little_memory_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -125,6 +125,15 @@ static void degrees_and_overflow_are_refused(void **state)
     assert_int_equal(rescale(IL_UNIT_KM, IL_UNIT_UM, 1, 2e6, 1, &to, NULL, &err), IL_E_INPUT);
 }
 
+static void a_length_is_rounded_once(void **state)
+{
+    (void)state;
+    assert_true(il_rescale_length(6, IL_UNIT_IN, IL_UNIT_MM) == 152.4);
+    assert_true(il_rescale_length(15, IL_UNIT_CM, IL_UNIT_MM) == 150);
+    assert_true(il_rescale_length(0.15, IL_UNIT_M, IL_UNIT_MM) == 150);
+    assert_true(il_rescale_length(0.1, IL_UNIT_MM, IL_UNIT_MM) == 0.1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -132,6 +141,7 @@ int main(void)
         cmocka_unit_test(the_same_unit_touches_nothing),
         cmocka_unit_test(exact_conversions_are_known_to_be_exact),
         cmocka_unit_test(degrees_and_overflow_are_refused),
+        cmocka_unit_test(a_length_is_rounded_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -148,11 +148,18 @@ exits 3 "in a folder" "$ISOLOFT" both.loft -o folder/
 holds "solids go on" test -s folder/0001-vase.stl
 holds "and the index says why the other did not" grep -q "is terrain" folder/index.json
 
-for option in '--height elev' --depth '--z-unit ft' '--project utm' '--high left'; do
+for option in '--height elev' --depth '--z-unit ft' '--project utm'; do
     exits 2 "$option is for maps" "$ISOLOFT" read "$vase_svg" $option
     holds "which an SVG is not" grep -q "is svg; ${option%% *} is for maps" err
 done
-exits 2 "--join is for isolines" "$ISOLOFT" read "$vase_svg" --join 1
+for option in '--join 1' '--high left'; do
+    exits 2 "$option is for isolines" "$ISOLOFT" read "$vase_svg" $option
+    holds "which an SVG has none of" grep -q "is svg; ${option%% *} is for isolines" err
+done
+for option in --solid '--fit 150mm' '--z-scale 2' --recentre '--solid --base 3'; do
+    exits 2 "$option is for isolines" "$ISOLOFT" "$vase_svg" $option -o x.stl
+    holds "which an SVG has none of" grep -q "is svg; ${option%% *} is for isolines" err
+done
 exits 2 "--layer is for DXF" "$ISOLOFT" read island.geojson --layer x
 
 plan

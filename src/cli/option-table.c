@@ -3,6 +3,7 @@
 #include "cli/options.h"
 #include "base/alloc.h"
 #include "base/number.h"
+#include "model/rescale.h"
 
 #include <string.h>
 
@@ -272,6 +273,52 @@ static il_status set_join(il_options *o, const char *value, bool on, il_error *e
     return on && strcmp(value, "0") != 0 ? parse_length(value, &o->join, "--join", err) : IL_OK;
 }
 
+static il_status set_solid(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->relief.placement.solid = on;
+    return IL_OK;
+}
+
+static il_status set_base(il_options *o, const char *value, bool on, il_error *err)
+{
+    size_t n = strlen(value);
+    double *base = &o->relief.placement.base;
+    o->relief.placement.has_base = on;
+    if (n > 0 && il_number_parse(value, n, base) == n && *base > -1e15 && *base < 1e15)
+        return IL_OK;
+    return il_fail(err, IL_E_USAGE, 0, "--base takes a height, not '%.40s'", value);
+}
+
+static il_status set_z_scale(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return parse_length(value, &o->relief.placement.z_scale, "--z-scale", err);
+}
+
+/* A length with its unit right behind it, mm without one. */
+static il_status set_fit(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    double length = 0;
+    il_unit unit = IL_UNIT_MM;
+    size_t n = strlen(value), used = il_number_parse(value, n, &length);
+    bool is_unit = used == n || (il_unit_parse(value + used, n - used, &unit) && il_unit_metres(unit) > 0);
+    if (used == 0 || !is_unit || !(length > 0 && length < 1e15))
+        return il_fail(err, IL_E_USAGE, 0, "--fit takes a length such as 150mm, 15cm or 6in, not '%.40s'", value);
+    o->relief.placement.fit = il_rescale_length(length, unit, IL_UNIT_MM);
+    return IL_OK;
+}
+
+static il_status set_recentre(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    (void)err;
+    o->relief.placement.recentre = on;
+    return IL_OK;
+}
+
 static il_status set_groups(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
@@ -433,7 +480,7 @@ const il_option il_option_table[] = {
     { 0, "to", "U", IL_OPTION_VALUE, STREAMS | PLOT,
       "convert lengths to unit U", "convert lengths to unit U", set_to_unit },
     { 0, "spacing", "D", IL_OPTION_VALUE, READERS,
-      "distance of slices that state no height", "distance of slices that state no height", set_spacing },
+      NULL, "distance of slices that state no height", set_spacing },
     { 0, "flip", NULL, IL_OPTION_SWITCH, READERS,
       NULL, "SVG: y points down and is turned up (default)", set_flip },
     { 0, "flatness", "D", IL_OPTION_VALUE, READERS,
@@ -450,10 +497,20 @@ const il_option il_option_table[] = {
       NULL, "maps: degrees to metres by auto, utm, tm, none", set_project },
     { 0, "layer", "PATTERN", IL_OPTION_VALUE, READERS,
       NULL, "DXF: only layers that match; '!PATTERN': not", add_layer },
-    { 0, "high", "left|right", IL_OPTION_VALUE, READERS,
+    { 0, "high", "left|right", IL_OPTION_VALUE, READERS | MESH,
       NULL, "maps of one level: the higher side of its lines", set_high },
     { 0, "join", "D", IL_OPTION_VALUE_OR_NO, STREAMS,
       NULL, "maps: join ends no farther apart; else 0", set_join },
+    { 0, "solid", NULL, IL_OPTION_SWITCH, LOFTERS,
+      "maps: a closed solid; --fit 150mm: to print", "maps: a closed solid, with walls and a floor", set_solid },
+    { 0, "base", "H", IL_OPTION_VALUE, LOFTERS,
+      NULL, "maps: height of the solid's floor, on the map", set_base },
+    { 0, "z-scale", "F", IL_OPTION_VALUE, LOFTERS,
+      NULL, "maps: heights are exaggerated F times", set_z_scale },
+    { 0, "fit", "LENGTH", IL_OPTION_VALUE, LOFTERS,
+      NULL, "maps: scaled to a longer side of 150mm, 6in ...", set_fit },
+    { 0, "recentre", NULL, IL_OPTION_SWITCH, LOFTERS,
+      NULL, "maps: the middle goes to 0, 0; default for STL", set_recentre },
     { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
       "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
     { 0, "gap", "bridge|cap|fail", IL_OPTION_VALUE, STREAMS,

@@ -13,6 +13,7 @@ void il_options_init(il_options *o)
     *o = (il_options){ .action = IL_ACTION_RUN, .verb = IL_VERB_CONVERT, .cap = IL_CAP_FLAT,
                        .matcher = IL_MATCHER_FFD, .progress = IL_WHEN_AUTO };
     o->read = (il_read_options)IL_READ_OPTIONS_INIT;
+    o->relief.placement = (il_placement_options)IL_PLACEMENT_OPTIONS_INIT;
 }
 
 void il_options_free(il_options *o)
@@ -198,6 +199,19 @@ static il_status check_list(const il_options *o, il_error *err)
     return IL_OK;
 }
 
+/* Map coordinates cost up to 0.7 m as 32-bit floats, so those formats get small ones. */
+static il_status settle_relief(il_options *o, il_error *err)
+{
+    il_placement_options *p = &o->relief.placement;
+    p->round_float = o->to && o->to->round_float;
+    if (!il_options_given(o, "recentre"))
+        p->recentre = p->round_float;
+    if (p->has_base && !p->solid)
+        return il_fail(err, IL_E_USAGE, 0, "--base is the floor of a solid, which --solid asks for");
+    o->relief.high = o->read.map.high;
+    return IL_OK;
+}
+
 /* What can only be told when all of the line is known. */
 static il_status check_together(il_options *o, il_error *err)
 {
@@ -210,6 +224,8 @@ static il_status check_together(il_options *o, il_error *err)
         st = check_list(o, err);
     if (st == IL_OK)
         st = settle_format(o, err);
+    if (st == IL_OK)
+        st = settle_relief(o, err);
     return st == IL_OK ? check_outputs_differ(o, err) : st;
 }
 

@@ -10,6 +10,7 @@
 #include "loft/lofter.h"
 #include "output/writer.h"
 #include "region/gapper.h"
+#include "terrain/relief.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -51,6 +52,7 @@ typedef struct il_options {
     il_cap cap;
     il_gap_mode gap;
     double thickness;
+    il_relief_options relief;   /* threads and what comes of the formats: see pipeline.c */
     il_picture_options picture;
     double join;                /* how far apart ends of lines may be that are joined, in the unit of the stacks */
     il_matcher matcher;

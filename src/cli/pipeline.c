@@ -99,9 +99,14 @@ static const struct { const char *option, *what, *format; bool any_map; } meanin
     { "depth", "maps", NULL, true },
     { "z-unit", "maps", NULL, true },
     { "project", "maps", NULL, true },
-    { "high", "maps", NULL, true },
+    { "high", "isolines", "loft", true },
     { "layer", "DXF drawings", "dxf", false },
     { "join", "isolines", "loft", true },
+    { "solid", "isolines", "loft", true },
+    { "base", "isolines", "loft", true },
+    { "z-scale", "isolines", "loft", true },
+    { "fit", "isolines", "loft", true },
+    { "recentre", "isolines", "loft", true },
 };
 
 static il_status check_meanings(const pipeline *p, il_error *err)

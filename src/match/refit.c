@@ -8,13 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* was, is: the last two slices, lower and upper, before and behind the cleaning. */
+/* was, is: the last two slices, lower and upper, before and behind the cleaning.
+ * is_terrain: of this stack, which no cleaning touches, so that nothing is held. */
 struct il_refit {
     il_sink before, behind;
     il_sink *cleaning, *next;
     il_slice was[2], is[2];
     il_pair *pair;            /* the record on its way round the cleaning */
     il_ffd *solver;           /* made when it is needed */
+    bool is_terrain;
 };
 
 static il_refit *from_before(il_sink *s)
@@ -199,13 +201,14 @@ static il_status before_stack_begin(il_sink *self, const il_stack_head *head, il
 {
     il_refit *r = from_before(self);
     forget(r);
+    r->is_terrain = head->kind == IL_KIND_TERRAIN;
     return r->cleaning->stack_begin(r->cleaning, head, err);
 }
 
 static il_status before_slice(il_sink *self, il_slice *s, il_error *err)
 {
     il_refit *r = from_before(self);
-    il_status st = keep(r->was, s, err);
+    il_status st = r->is_terrain ? IL_OK : keep(r->was, s, err);
     return st == IL_OK ? r->cleaning->slice(r->cleaning, s, err) : st;
 }
 
@@ -245,7 +248,7 @@ static il_status behind_stack_begin(il_sink *self, const il_stack_head *head, il
 static il_status behind_slice(il_sink *self, il_slice *s, il_error *err)
 {
     il_refit *r = from_behind(self);
-    il_status st = keep(r->is, s, err);
+    il_status st = r->is_terrain ? IL_OK : keep(r->is, s, err);
     return st == IL_OK ? r->next->slice(r->next, s, err) : st;
 }
 
@@ -253,7 +256,7 @@ static il_status behind_pair(il_sink *self, il_pair *token, il_error *err)
 {
     il_refit *r = from_behind(self);
     (void)token;
-    il_status st = il_pair_names_rings(r->pair) ? refit(r, r->pair, err) : IL_OK;
+    il_status st = !r->is_terrain && il_pair_names_rings(r->pair) ? refit(r, r->pair, err) : IL_OK;
     return st == IL_OK ? r->next->pair(r->next, r->pair, err) : st;
 }
 

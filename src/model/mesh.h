@@ -28,9 +28,13 @@ bool il_mesh_add_triangle(il_mesh *m, uint32_t a, uint32_t b, uint32_t c);
 /* Is the area of the triangle not 0, exactly?  Finite coordinates. */
 bool il_triangle_has_area(const double a[3], const double b[3], const double c[3]);
 
-/* What a finished stack looks like: filled by the lofter. */
+/* What a finished stack looks like: filled by the stage that makes the surface.  Of
+ * terrain, slices are levels, rings lines, and faces what lines and frame divide the
+ * map into.  is_open: it is bounded by the frame of a map, and has neither volume nor
+ * genus (0). */
 typedef struct il_mesh_facts {
-    size_t vertices, triangles, slices, rings, points;
+    bool is_open;
+    size_t vertices, triangles, slices, rings, points, faces;
     size_t pinches;          /* vertices or edges where the input touches itself, split */
     long components, genus;
     double volume, area;     /* unit^3, unit^2 */

@@ -40,6 +40,22 @@ double il_rescale_value(double value, double numerator, double denominator, bool
     return result;
 }
 
+/* Units TO in one FROM, in lowest terms. */
+static void find_ratio(il_unit from, il_unit to, double *numerator, double *denominator)
+{
+    long divisor = common_divisor(micrometres[from], micrometres[to]);
+    *numerator = (double)(micrometres[from] / divisor);
+    *denominator = (double)(micrometres[to] / divisor);
+}
+
+double il_rescale_length(double length, il_unit from, il_unit to)
+{
+    double numerator, denominator;
+    bool exact;
+    find_ratio(from, to, &numerator, &denominator);
+    return il_rescale_value(length, numerator, denominator, &exact);
+}
+
 static bool is_identity(const rescaler *r)
 {
     return r->numerator == r->denominator;
@@ -76,9 +92,7 @@ static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_err
     if (micrometres[head->unit] == 0)
         return il_fail(err, IL_E_INPUT, head->line, "the stack is in %s, which cannot be converted to %s",
                        il_unit_name(head->unit), il_unit_name(r->to));
-    long divisor = common_divisor(micrometres[r->from], micrometres[r->to]);
-    r->numerator = (double)(micrometres[r->from] / divisor);
-    r->denominator = (double)(micrometres[r->to] / divisor);
+    find_ratio(r->from, r->to, &r->numerator, &r->denominator);
     if (is_identity(r))
         return r->next->stack_begin(r->next, head, err);
     il_stack_head copy = IL_STACK_HEAD_INIT;

@@ -10,6 +10,9 @@
  * took place; then nothing was lost. */
 double il_rescale_value(double value, double numerator, double denominator, bool *exact);
 
+/* LENGTH in FROM as one in TO, both units of length, by whole numbers as above. */
+double il_rescale_length(double length, il_unit from, il_unit to);
+
 /* A sink that gives NEXT (borrowed) all stacks in the unit TO, a length:
  * vertices, heights, the frame's origin, and what pairs say in lengths.
  * Coordinates that had to be rounded are counted in a note of REPORT, and its

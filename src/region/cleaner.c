@@ -95,7 +95,7 @@ static il_status fail_order(const il_slice *s, double below, il_error *err)
 static il_status slice(il_sink *self, il_slice *s, il_error *err)
 {
     cleaner *c = (cleaner *)self;
-    if (c->options.round_float)
+    if (c->options.round_float && !c->is_terrain)
         s->z = il_number_round_float(s->z);
     if (c->holding && s->z == c->held.z) {
         il_report_repair(c->report, IL_REPAIR_MERGED_SLICE, 1);

@@ -73,7 +73,7 @@ il_status il_ridge_insert(il_tin *t, il_chart *c, const il_law *law, const il_pl
             if (is_chord(t, c, k) && !add_middle(t, c, law, o, k))
                 return il_fail_nomem(err);
         if (c->n_nodes == from)
-            return IL_OK;
+            break;
         st = il_tin_refine(t, c, from, err);
     }
     return st;

@@ -3,7 +3,7 @@
 #include "contours.h"
 #include "base/alloc.h"
 #include "model/order.h"
-#include "region/arrange.h"
+#include "model/arrange.h"
 #include "region/boundary.h"
 #include "region/clean.h"
 #include "region/separate.h"

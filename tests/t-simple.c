@@ -1,6 +1,6 @@
 /* t-simple.c - rings that meet nowhere, against the triangulation that takes any. */
 #include "config.h"
-#include "region/arrange.h"
+#include "model/arrange.h"
 #include "region/boundary.h"
 #include "region/simple.h"
 #include "contours.h"

@@ -125,6 +125,8 @@ static il_status take_attribute(il_native *n)
 
 il_status il_native_close_head(il_native *n)
 {
+    if (!il_stack_head_set_files(&n->head, &n->name, 1))
+        return il_native_nomem(n);
     return n->sink->stack_begin(n->sink, &n->head, n->err);
 }
 

@@ -265,7 +265,7 @@ static void free_state(il_native *n)
 static il_status read_source(il_source *source, const il_read_options *options,
                              il_sink *sink, il_report *report, il_error *err)
 {
-    il_native n = { .options = options, .sink = sink, .report = report, .err = err };
+    il_native n = { .options = options, .sink = sink, .report = report, .err = err, .name = il_source_name(source) };
     il_lines_init(&n.lines, source, options->max_line);
     il_status st = read_stream(&n);
     if (st == IL_E_INPUT)

@@ -39,6 +39,8 @@ typedef struct il_native {
     unsigned seen;                  /* header lines: bits in order of the keyword table */
     il_extra **extra;               /* where the open record's next x- line goes */
 
+    const char *name;               /* of the source */
+
     il_slice slice;
     bool holds_slice;               /* SLICE was not handed on yet */
     bool pair_done;                 /* the last slice has its pair or gap record */

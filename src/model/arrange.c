@@ -1,11 +1,11 @@
 #include "config.h"
-#include "region/arrange.h"
+#include "model/arrange.h"
 #include "base/alloc.h"
 #include "bridge/boxes.h"
 #include "bridge/predicates.h"
 #include "model/order.h"
 #include "model/ring.h"
-#include "region/near.h"
+#include "model/near.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* arrange.h - edges in the plane made to meet in common end points only. */
-#ifndef IL_REGION_ARRANGE_H
-#define IL_REGION_ARRANGE_H
+#ifndef IL_MODEL_ARRANGE_H
+#define IL_MODEL_ARRANGE_H
 
 #include "base/keymap.h"
 #include "base/status.h"

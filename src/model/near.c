@@ -1,5 +1,5 @@
 #include "config.h"
-#include "region/near.h"
+#include "model/near.h"
 #include "base/alloc.h"
 
 #include <math.h>

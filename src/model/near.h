@@ -1,6 +1,6 @@
 /* near.h - points that keep a cell apart, and the one that is near a place. */
-#ifndef IL_REGION_NEAR_H
-#define IL_REGION_NEAR_H
+#ifndef IL_MODEL_NEAR_H
+#define IL_MODEL_NEAR_H
 
 #include "base/keymap.h"
 #include "base/status.h"

@@ -3,7 +3,7 @@
 #define IL_REGION_BOUNDARY_H
 
 #include "model/stack.h"
-#include "region/arrange.h"
+#include "model/arrange.h"
 
 /* The even-odd region of the settled arrangement A as rings appended to OUT
  * (empty before): region on the left, every ring simple, each starting at its

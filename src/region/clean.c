@@ -4,9 +4,9 @@
 #include "base/number.h"
 #include "bridge/predicates.h"
 #include "model/order.h"
-#include "region/arrange.h"
+#include "model/arrange.h"
 #include "region/boundary.h"
-#include "region/near.h"
+#include "model/near.h"
 #include "region/separate.h"
 #include "region/simple.h"
 

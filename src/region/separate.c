@@ -3,9 +3,9 @@
 #include "base/keymap.h"
 #include "base/number.h"
 #include "model/order.h"
-#include "region/arrange.h"
+#include "model/arrange.h"
 #include "region/boundary.h"
-#include "region/near.h"
+#include "model/near.h"
 
 /* The first step of a copy towards the middle of its neighbours, as a part of
  * that way; doubled until rounding keeps the copies apart.  Less than 1/256

@@ -11,7 +11,7 @@ static const il_ring *ring_of(const il_complaint *c, uint32_t l)
 
 static const char *file_of(const il_complaint *c, const il_ring *r)
 {
-    return r->file < c->head->n_files ? c->head->file[r->file] : NULL;
+    return r->file < c->head->n_files ? c->head->file[r->file] : "-";
 }
 
 /* Heights of a map in degrees are metres. */

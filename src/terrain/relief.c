@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/forest.h"
 #include "terrain/complaint.h"
+#include "terrain/crossing.h"
 #include "terrain/missing.h"
 #include "terrain/proof.h"
 #include "terrain/ridge.h"
@@ -54,6 +55,11 @@ static void free_work(work *w)
     il_skin_free(&w->skin);
 }
 
+static const il_ring *ring_of(const work *w, size_t l)
+{
+    return &w->r->slice[w->line[l].level].ring[w->line[l].ring];
+}
+
 static il_complaint complaint_of(const work *w)
 {
     return (il_complaint){ &w->r->head, w->r->slice, w->line, w->n_lines, w->r->report };
@@ -85,7 +91,7 @@ static void leave_out_loose(work *w)
     il_complaint c = complaint_of(w);
     size_t e = 0;
     for (size_t l = 0; l < w->n_lines; l++) {
-        const il_ring *r = &w->r->slice[w->line[l].level].ring[w->line[l].ring];
+        const il_ring *r = ring_of(w, l);
         bool reaches[2] = { false, false };
         for (; e < w->frame.n_ends && w->frame.end[e].level == (uint32_t)w->line[l].level &&
                w->frame.end[e].ring == (uint32_t)w->line[l].ring; e++)
@@ -97,6 +103,14 @@ static void leave_out_loose(work *w)
     }
 }
 
+/* A place of the mesh on the map. */
+static void put_back(const relief *r, const double from[2], double to[2])
+{
+    const il_placement *p = &r->head.placement;
+    for (int i = 0; i < 2; i++)
+        to[i] = r->head.has_placement ? from[i] * p->scale[i] + p->offset[i] : from[i];
+}
+
 /* ---- faces and their bands ------------------------------------------------------ */
 
 static void forget_chart(work *w)
@@ -106,27 +120,53 @@ static void forget_chart(work *w)
     w->clashes.n = 0;
 }
 
+/* Lines of different levels that meet cannot both be there: the shorter is left out. */
+static void leave_out_clashing(work *w)
+{
+    il_complaint c = complaint_of(w);
+    for (size_t k = 0; k < w->clashes.n; k++) {
+        const il_clash *clash = &w->clashes.clash[k];
+        uint32_t a = clash->line[0], b = clash->line[1];
+        if (a >= w->n_lines || b >= w->n_lines || w->line[a].left_out || w->line[b].left_out)
+            continue;
+        double la = il_ring_length(ring_of(w, a)), lb = il_ring_length(ring_of(w, b)), at[2];
+        uint32_t out = la < lb || (la == lb && a > b) ? a : b;
+        put_back(w->r, clash->at, at);
+        w->line[out].left_out = true;
+        il_complaint_against(&c, out, at, "it meets another level", out == a ? b : a);
+    }
+}
+
+/* The chart as a planar graph, in triangles; without them where levels meet. */
 static il_status triangulate(work *w, il_error *err)
 {
     bool crosses = false;
     il_tin_free(&w->tin);
-    il_status st = il_tin_build(&w->tin, &w->chart, &crosses, err);
-    if (st == IL_OK && crosses)
-        st = il_fail(err, IL_E_INPUT, w->r->head.line, "isolines cross");
-    return st;
+    il_status st = w->clashes.n == 0 ? il_tin_build(&w->tin, &w->chart, &crosses, err) : IL_OK;
+    if (st != IL_OK || !crosses)
+        return st;
+    st = il_chart_divide(&w->chart, w->line, w->n_lines, w->r->options.placement.round_float, &w->clashes, err);
+    if (st == IL_OK && w->clashes.n == 0)
+        st = il_tin_build(&w->tin, &w->chart, &crosses, err);
+    return st == IL_OK && w->clashes.n == 0 && crosses ? il_fail(err, IL_E_INTERNAL, 0, "a map's lines cross though they were divided") : st;
 }
 
+/* Until no levels meet. */
 static il_status draw_chart(work *w, il_error *err)
 {
     relief *r = w->r;
-    forget_chart(w);
-    w->chart.level_z = w->level_z;
-    w->chart.n_levels = r->n;
-    il_status st = il_chart_build(&w->chart, r->slice, w->line, w->n_lines, &w->frame, &r->head, &r->options.placement,
-                                  &w->clashes, err);
-    if (st == IL_OK && w->clashes.n > 0)
-        st = il_fail(err, IL_E_INPUT, r->head.line, "isolines of two levels meet");
-    return st == IL_OK ? triangulate(w, err) : st;
+    il_status st = IL_OK;
+    do {
+        forget_chart(w);
+        w->chart.level_z = w->level_z;
+        w->chart.n_levels = r->n;
+        st = il_chart_build(&w->chart, r->slice, w->line, w->n_lines, &w->frame, &r->head, &r->options.placement, &w->clashes, err);
+        if (st == IL_OK)
+            st = triangulate(w, err);
+        if (st == IL_OK)
+            leave_out_clashing(w);
+    } while (st == IL_OK && w->clashes.n > 0);
+    return st;
 }
 
 static il_status label(work *w, size_t n_lines, il_error *err)
@@ -137,14 +177,6 @@ static il_status label(work *w, size_t n_lines, il_error *err)
     if (st == IL_OK)
         st = il_bands_label(&w->bands, w->border, w->n_borders, w->tin.n_faces, n_lines, w->r->n, w->r->options.high, err);
     return st;
-}
-
-/* A place of the mesh on the map. */
-static void put_back(const relief *r, const double from[2], double to[2])
-{
-    const il_placement *p = &r->head.placement;
-    for (int i = 0; i < 2; i++)
-        to[i] = r->head.has_placement ? from[i] * p->scale[i] + p->offset[i] : from[i];
 }
 
 static void tell_discord(work *w, const il_discord *d)

@@ -66,7 +66,7 @@ static void the_longer_side_becomes_as_many_millimetres(void **state)
         double bottom, least[2], most[2];
         il_error err = IL_ERROR_INIT;
         assert_int_equal(place(&head, &o, box, 0, 90, &bottom, &err), IL_OK);
-        assert_int_equal(head.unit, IL_UNIT_MM);
+        assert_true(head.unit == IL_UNIT_MM && head.placement.unit == units[k]);
         il_placement_apply(&head, &o, box, least);
         il_placement_apply(&head, &o, box + 2, most);
         assert_true(fabs(most[0] - least[0] - 150) < 1e-12);
@@ -85,6 +85,20 @@ static void degrees_are_not_fitted(void **state)
     il_error err = IL_ERROR_INIT;
     assert_int_equal(place(&head, &o, box, 0, 90, &bottom, &err), IL_E_INPUT);
     assert_non_null(strstr(err.text, "--project"));
+}
+
+static void what_has_a_frame_of_its_own_is_not_placed(void **state)
+{
+    (void)state;
+    il_placement_options o = IL_PLACEMENT_OPTIONS_INIT;
+    il_stack_head head = head_in(IL_UNIT_M);
+    head.has_frame = true;
+    double bottom;
+    il_error err = IL_ERROR_INIT;
+    assert_int_equal(place(&head, &o, box, 0, 90, &bottom, &err), IL_OK);
+    o.recentre = true;
+    assert_int_equal(place(&head, &o, box, 0, 90, &bottom, &err), IL_E_INPUT);
+    assert_non_null(strstr(err.text, "--no-recentre"));
 }
 
 static void offsets_are_short_and_small_beside_the_map(void **state)
@@ -228,6 +242,7 @@ int main(void)
         cmocka_unit_test(rounding_alone_is_no_placement),
         cmocka_unit_test(the_longer_side_becomes_as_many_millimetres),
         cmocka_unit_test(degrees_are_not_fitted),
+        cmocka_unit_test(what_has_a_frame_of_its_own_is_not_placed),
         cmocka_unit_test(offsets_are_short_and_small_beside_the_map),
         cmocka_unit_test(a_vertex_times_scale_plus_offset_is_on_the_map),
         cmocka_unit_test(exaggerated_heights_are_whole_multiples),

@@ -647,6 +647,58 @@ static void a_binary_header_is_80_bytes_whatever_the_names(void **state)
     }
 }
 
+/* ---- where a map's mesh was put --------------------------------------------- */
+
+static il_output *placed_as(const il_writer *w, const char *name, const il_placement *p)
+{
+    il_output *o;
+    il_mesh_sink *s = started(w, &o);
+    il_stack_head h = head_called(name);
+    h.has_placement = true;
+    h.placement = *p;
+    assert_int_equal(send_whole(s, &h, 0, 0, NULL), IL_OK);
+    finished(w, s, o);
+    il_stack_head_free(&h);
+    return o;
+}
+
+static void comments_tell_the_way_back_to_the_map(void **state)
+{
+    (void)state;
+    const il_placement p = { { 175250, -0.01, 82 }, { 53.5, 53.5, 26.75 }, IL_UNIT_FT };
+    static const il_writer *const w[] = { &il_writer_obj, &il_writer_ply, &il_writer_ply_ascii };
+    for (size_t k = 0; k < sizeof w / sizeof *w; k++) {
+        il_output *o = placed_as(w[k], "hill", &p);
+        assert_true(output_contains(o, k == 0 ? "\n# stack 0 offset 175250 -0.01 82\n" : "\ncomment stack 0 offset 175250 -0.01 82\n"));
+        assert_true(output_contains(o, " stack 0 scale 53.5 53.5 26.75\n"));
+        assert_true(output_contains(o, " stack 0 a vertex times scale plus offset is its place on the map, in ft\n"));
+        il_output_discard(o);
+    }
+}
+
+static void the_header_of_stl_tells_whole_numbers_of_it(void **state)
+{
+    (void)state;
+    static const struct { const char *name; il_placement p; const char *header; } c[] = {
+        { "hill", { { 175250, 435001, 82 }, { 1, 1, 1 }, IL_UNIT_M }, "STL isoloft offset 175250 435001 82 hill" },
+        { "", { { 0, 435001, 0 }, { 53.5, 53.5, 53.5 }, IL_UNIT_M }, "STL isoloft offset 0 435001 0 scale 53.5" },
+        { "a hill", { { 1, 2, 3 }, { 1, 1, 0.5 }, IL_UNIT_M }, "STL isoloft offset 1 2 3 scale 1 z 0.5 a hill" },
+        { "hill", { { 175250.125, 435001.125, 82.125 }, { 53.333333333333336, 53.333333333333336, 26.666666666666668 }, IL_UNIT_M },
+          "STL isoloft offset 175250.125 435001.125 82.125 hill" },
+        { "hill", { { -1.2345678901234567e-100, -1.2345678901234567e-101, -1.2345678901234567e-102 }, { 2, 2, 2 }, IL_UNIT_M },
+          "STL isoloft hill" } };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
+        il_output *o = placed_as(&il_writer_stl, c[k].name, &c[k].p);
+        size_t n;
+        const unsigned char *data = il_output_memory(o, &n);
+        char header[81] = "";
+        memcpy(header, data, 80);
+        assert_string_equal(header, c[k].header);
+        assert_int_equal(n, 84 + 4 * 50);
+        il_output_discard(o);
+    }
+}
+
 /* ---- options -------------------------------------------------------------- */
 
 static void comments_stand_where_there_is_room(void **state)
@@ -800,6 +852,8 @@ int main(void)
         cmocka_unit_test(a_frame_beyond_all_numbers_is_refused),
         cmocka_unit_test(hostile_names_break_no_format),
         cmocka_unit_test(a_binary_header_is_80_bytes_whatever_the_names),
+        cmocka_unit_test(comments_tell_the_way_back_to_the_map),
+        cmocka_unit_test(the_header_of_stl_tells_whole_numbers_of_it),
         cmocka_unit_test(comments_stand_where_there_is_room),
         cmocka_unit_test(a_full_disk_under_the_spool_is_told_by_the_piece),
         cmocka_unit_test(a_full_disk_under_the_output_is_told),

@@ -71,6 +71,9 @@ static il_status open_record(il_account *a, const il_stack_head *head, il_error 
     a->skipping = false;
     a->inserted_slices = a->inserted_rings = a->inserted_points = 0;
     il_slicing_clear(&a->slicing);
+    const char *note = s.is_terrain ? a->options.note_on_terrain : a->options.note_on_solids;
+    if (note)
+        il_report_note(&a->report, "%s", note);
     return IL_OK;
 }
 
@@ -297,10 +300,33 @@ static il_status on_end(il_sink *self, il_error *err)
 
 /* ---- the tap among the meshes -------------------------------------------- */
 
+/* Whoever prints takes the numbers of STL for mm, so those that are not are told. */
+static void note_unit(il_account *a, il_unit u)
+{
+    bool prints = u == IL_UNIT_MM || u == IL_UNIT_CM || u == IL_UNIT_IN;
+    if (a->options.no_unit && current(a)->is_terrain && !prints)
+        il_report_note(&a->report, "STL has no unit: lengths are in %s; --fit 150mm makes a model to print", il_unit_name(u));
+}
+
+/* Where the mesh of a map was put, if its frame or its heights did not stay. */
+static void take_placement(il_account *a, const il_stack_head *head)
+{
+    il_stack_account *s = current(a);
+    s->frame = a->options.frame;
+    s->mesh_unit = head->unit;
+    s->placement = (il_placement){ { 0, 0, 0 }, { 1, 1, 1 }, s->unit };
+    if (head->has_placement)
+        s->placement = head->placement;
+}
+
 static il_status on_mesh_begin(il_mesh_sink *self, const il_stack_head *head, il_error *err)
 {
     il_account *a = of_meshes(self);
     a->in_mesh = true;
+    if (a->in_stack) {
+        take_placement(a, head);
+        note_unit(a, head->unit);
+    }
     return a->next_mesh->begin(a->next_mesh, head, err);
 }
 

@@ -13,6 +13,7 @@
 #include "model/report.h"
 #include "model/sink.h"
 #include "model/spacing.h"
+#include "terrain/frame.h"
 
 /* Two neighbouring slices much farther apart than is usual in their stack, or with
  * a gap record.  capped: nothing joins them. */
@@ -32,7 +33,7 @@ typedef struct il_gap {
  * has_mesh: facts were given, so the surface is certified.  file: what it was
  * written to in a folder, or null.  error: one line, null unless it failed.
  * is_terrain: its slices are levels, and its rings lines; terrain tells of them, and
- * there are no gaps and no sections. */
+ * there are no gaps and no sections.  frame, mesh_unit, placement: of its mesh. */
 typedef struct il_stack_account {
     char *name, *type, *algorithm, *frame_uid, *file, *error;
     const char *planes;
@@ -50,17 +51,24 @@ typedef struct il_stack_account {
     il_gap *gap;        size_t n_gaps, cap_gaps;
     il_report report;
     il_mesh_facts facts;
+    il_frame_kind frame;
+    il_unit mesh_unit;
+    il_placement placement;
     il_status status;
 } il_stack_account;
 
 /* keep_going: a stack without a surface does not end the run.  strict: a stack
  * that was repaired, or that something of was skipped, fails.  empty_allowed: a
  * run without any stack is no failure.  input: the name for errors that know
- * none, null when there are several.  no_terrain: a stack of terrain fails.  file_of: names the file of the stack that
+ * none, null when there are several.  note_on_solids, note_on_terrain: a sentence that each
+ * stack of that kind gets, or null.  no_unit: what is written says nothing of the unit,
+ * which meshes of maps in metres are told.  frame: of maps.  no_terrain: a stack of terrain fails.  file_of: names the file of the stack that
  * has just ended, null when there is none. */
 typedef struct il_account_options {
     bool keep_going, strict, empty_allowed, no_terrain;
-    const char *input;
+    bool no_unit;
+    il_frame_kind frame;
+    const char *input, *note_on_solids, *note_on_terrain;
     il_voice *voice;
     const char *(*file_of)(void *self);
     void *file_of_self;

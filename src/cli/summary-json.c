@@ -91,6 +91,7 @@ static void put_mesh(il_json *j, const il_stack_account *s)
     static const char *const attempts[IL_N_ATTEMPTS] = { "S", "P", "B" };
     const il_mesh_facts *f = &s->facts;
     const long long values[] = { (long long)f->vertices, (long long)f->triangles, f->components, f->genus };
+    bool bounds = s->has_mesh && !f->is_open;
     il_json_key(j, "slabs");
     il_json_open(j, '{');
     for (int k = 0; k < IL_N_ATTEMPTS; k++)
@@ -99,10 +100,10 @@ static void put_mesh(il_json *j, const il_stack_account *s)
     put_number(j, "unpaired", s->has_mesh ? f->length_alone : 0);
     for (int k = 0; k < 4; k++) {
         il_json_key(j, keys[k]);
-        s->has_mesh ? il_json_integer(j, values[k]) : il_json_null(j);
+        (k < 3 ? s->has_mesh : bounds) ? il_json_integer(j, values[k]) : il_json_null(j);
     }
     il_json_key(j, "volume");
-    s->has_mesh ? il_json_number(j, f->volume) : il_json_null(j);
+    bounds ? il_json_number(j, f->volume) : il_json_null(j);
     il_json_key(j, "area");
     s->has_mesh ? il_json_number(j, f->area) : il_json_null(j);
     il_json_key(j, "certified");

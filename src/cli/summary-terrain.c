@@ -1,5 +1,6 @@
 #include "config.h"
 #include "cli/summary-terrain.h"
+#include "base/number.h"
 #include "base/text.h"
 #include "cli/table.h"
 
@@ -99,6 +100,68 @@ void il_summary_terrain_rows(const il_stack_account *s, il_output *out)
     measure_rows(out, s, &sum);
 }
 
+static const char *const frames[] = { [IL_FRAME_BBOX] = "bbox", [IL_FRAME_HULL] = "hull", [IL_FRAME_OUTLINE] = "outline" };
+
+static void numbers_text(char *to, size_t size, const double v[3])
+{
+    *to = '\0';
+    for (int k = 0; k < 3; k++) {
+        char number[IL_NUMBER_MAX];
+        il_number_format(number, v[k]);
+        il_text_append(to, size, k > 0 ? " %s" : "%s", number);
+    }
+}
+
+typedef struct placement_text { char offset[3 * IL_NUMBER_MAX], scale[3 * IL_NUMBER_MAX]; } placement_text;
+
+/* False where the mesh lies on the map as it is. */
+static bool describe_placement(const il_stack_account *s, placement_text *t)
+{
+    numbers_text(t->offset, sizeof t->offset, s->placement.offset);
+    numbers_text(t->scale, sizeof t->scale, s->placement.scale);
+    return strcmp(t->offset, "0 0 0") != 0 || strcmp(t->scale, "1 1 1") != 0;
+}
+
+static const char way_back[] = "a vertex times scale plus offset is its place on the map";
+
+static void placement_rows(const il_stack_account *s, il_output *out)
+{
+    placement_text t;
+    if (!describe_placement(s, &t))
+        return;
+    il_table_row(out, "offset", "%s %s", t.offset, il_unit_name(s->placement.unit));
+    il_table_row(out, "scale", "%s; %s", t.scale, way_back);
+}
+
+void il_summary_say_placement(const il_stack_account *s, const char *label, il_voice *v)
+{
+    placement_text t;
+    if (describe_placement(s, &t))
+        il_message_detail(v, "%s: offset %s, scale %s: %s, in %s", label, t.offset, t.scale, way_back,
+                          il_unit_name(s->placement.unit));
+}
+
+void il_summary_surface_rows(const il_stack_account *s, il_output *out)
+{
+    const il_mesh_facts *f = &s->facts;
+    const char *unit = il_unit_name(s->mesh_unit);
+    if (!s->has_mesh) {
+        il_table_row(out, "surface", "%s", s->error ? s->error : "none");
+        return;
+    }
+    il_table_row(out, "surface", "certified, %s; %zu vertices, %zu triangles", f->is_open ? "open at the frame" : "a solid",
+                 f->vertices, f->triangles);
+    il_table_row(out, "frame", "%s, %zu face%s", frames[s->frame], f->faces, f->faces == 1 ? "" : "s");
+    if (f->is_open)
+        il_table_row(out, "components", "%ld", f->components);
+    else
+        il_table_row(out, "components", "%ld, genus %ld", f->components, f->genus);
+    placement_rows(s, out);
+    il_table_row(out, "mesh area", "%.6g %s^2", f->area, unit);
+    if (!f->is_open)
+        il_table_row(out, "volume", "%.6g %s^3", f->volume, unit);
+}
+
 /* ---- for programs ------------------------------------------------------------------ */
 
 static void put_count(il_json *j, const char *key, size_t n)
@@ -114,7 +177,7 @@ static void put_number(il_json *j, const char *key, double value, bool known)
     known ? il_json_number(j, value) : il_json_null(j);
 }
 
-static void put_numbers(il_json *j, const char *key, const double value[4], bool known)
+static void put_numbers(il_json *j, const char *key, const double *value, int n, bool known)
 {
     il_json_key(j, key);
     if (!known) {
@@ -122,7 +185,7 @@ static void put_numbers(il_json *j, const char *key, const double value[4], bool
         return;
     }
     il_json_open(j, '[');
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < n; k++)
         il_json_number(j, value[k]);
     il_json_close(j, ']');
 }
@@ -139,6 +202,27 @@ static void put_level(il_json *j, const il_terrain_level *l, bool has_measures)
     il_json_close(j, '}');
 }
 
+/* Null where no mesh was made. */
+static void put_surface(const il_stack_account *s, il_json *j)
+{
+    il_json_key(j, "surface");
+    if (!s->has_mesh) {
+        il_json_null(j);
+        return;
+    }
+    il_json_open(j, '{');
+    il_json_key(j, "solid");
+    il_json_bool(j, !s->facts.is_open);
+    il_json_key(j, "frame");
+    il_json_string(j, frames[s->frame]);
+    put_count(j, "faces", s->facts.faces);
+    il_json_key(j, "unit");
+    il_json_string(j, il_unit_name(s->mesh_unit));
+    put_numbers(j, "offset", s->placement.offset, 3, true);
+    put_numbers(j, "scale", s->placement.scale, 3, true);
+    il_json_close(j, '}');
+}
+
 void il_summary_terrain_json(const il_stack_account *s, il_json *j)
 {
     const il_terrain *t = &s->terrain;
@@ -148,8 +232,8 @@ void il_summary_terrain_json(const il_stack_account *s, il_json *j)
     il_json_string(j, "terrain");
     il_json_key(j, "crs");
     il_json_string(j, t->crs);
-    put_numbers(j, "geographic", t->geographic, t->has_geographic);
-    put_numbers(j, "extent", extent, s->points > 0);
+    put_numbers(j, "geographic", t->geographic, 4, t->has_geographic);
+    put_numbers(j, "extent", extent, 4, s->points > 0);
     put_number(j, "interval", t->interval, t->interval > 0);
     put_count(j, "missing_levels", t->n_missing);
     put_count(j, "open", sum.open);
@@ -159,6 +243,7 @@ void il_summary_terrain_json(const il_stack_account *s, il_json *j)
     il_json_string(j, t->on_ellipsoid ? "ellipsoid" : t->has_measures ? "plane" : NULL);
     put_number(j, "length", sum.length, t->has_measures);
     put_number(j, "enclosed_area", sum.area, t->has_measures);
+    put_surface(s, j);
     il_json_key(j, "levels");
     il_json_open(j, '[');
     for (size_t k = 0; k < t->n; k++)

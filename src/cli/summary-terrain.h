@@ -8,6 +8,12 @@
 /* Rows of the table: levels, lines, extent, length, area. */
 void il_summary_terrain_rows(const il_stack_account *s, il_output *out);
 
+/* Rows of the mesh that was made of it: what it is, where it was put. */
+void il_summary_surface_rows(const il_stack_account *s, il_output *out);
+
+/* The same of its place, on standard error. */
+void il_summary_say_placement(const il_stack_account *s, const char *label, il_voice *v);
+
 /* The keys that stacks of terrain have beyond those of all, as
  * formats/summary.schema.json has them. */
 void il_summary_terrain_json(const il_stack_account *s, il_json *j);

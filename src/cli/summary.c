@@ -191,10 +191,9 @@ static void stack_rows(il_output *out, const il_account *a, bool surface)
         report_rows(out, &s->report);
         if (!surface)
             continue;
-        if (!s->is_terrain) {
-            mesh_rows(out, s);
+        s->is_terrain ? il_summary_surface_rows(s, out) : mesh_rows(out, s);
+        if (!s->is_terrain)
             sum_rows(out, s);
-        }
         il_table_row(out, "seconds", "%.3f", s->seconds);
     }
 }
@@ -264,14 +263,19 @@ static void say_report(const il_stack_account *s, const char *label, il_voice *v
 static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
 {
     const il_mesh_facts *f = &s->facts;
-    const char *unit = il_unit_name(s->unit);
+    const char *unit = il_unit_name(s->is_terrain ? s->mesh_unit : s->unit);
     il_message_detail(v, s->is_terrain ? "%s: %zu levels, %zu lines, %zu points" : "%s: %zu slices, %zu rings, %zu points",
                       label, s->slices, s->rings, s->points);
-    if (s->has_mesh) {
+    if (s->has_mesh && f->is_open) {
+        il_message_detail(v, "%s: %zu vertices, %zu triangles, certified, open at the frame; area %.6g %s^2", label,
+                          f->vertices, f->triangles, f->area, unit);
+    } else if (s->has_mesh) {
         il_message_detail(v, "%s: %zu vertices, %zu triangles, certified; %ld component%s, genus %ld", label,
                           f->vertices, f->triangles, f->components, f->components == 1 ? "" : "s", f->genus);
         il_message_detail(v, "%s: area %.6g %s^2, volume %.6g %s^3", label, f->area, unit, f->volume, unit);
     }
+    if (s->has_mesh && s->is_terrain)
+        il_summary_say_placement(s, label, v);
     if (s->file)
         il_message_detail(v, "%s: written to %s", label, s->file);
 }

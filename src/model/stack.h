@@ -15,8 +15,8 @@ typedef enum il_unit { IL_UNIT_MM, IL_UNIT_CM, IL_UNIT_M, IL_UNIT_KM, IL_UNIT_IN
 typedef enum il_side { IL_SIDE_UNKNOWN, IL_SIDE_LEFT, IL_SIDE_RIGHT } il_side;
 
 /* How a mesh was moved and scaled: a vertex v of it lies at v * scale + offset on the map,
- * each coordinate by itself. */
-typedef struct il_placement { double offset[3], scale[3]; } il_placement;
+ * each coordinate by itself, in the map's UNIT. */
+typedef struct il_placement { double offset[3], scale[3]; il_unit unit; } il_placement;
 
 const char *il_unit_name(il_unit u);                   /* "mm" ... */
 bool il_unit_parse(const char *s, size_t n, il_unit *u);

@@ -129,6 +129,25 @@ void il_mesh_spool_name(const il_mesh_spool *m, size_t k, bool differ, char to[I
         snprintf(to, IL_STACK_NAME_MAX, "%s-%zu", name, k + 1);
 }
 
+/* Three lines that begin with START. */
+static void describe_placement(il_output *to, const char *start, const il_placement *p)
+{
+    const struct { const char *word; const double *value; } row[2] = { { "offset", p->offset }, { "scale", p->scale } };
+    for (int i = 0; i < 2; i++) {
+        il_output_string(to, start);
+        il_output_string(to, row[i].word);
+        for (int k = 0; k < 3; k++) {
+            il_output_char(to, ' ');
+            il_output_number(to, row[i].value[k]);
+        }
+        il_output_char(to, '\n');
+    }
+    il_output_string(to, start);
+    il_output_string(to, "a vertex times scale plus offset is its place on the map, in ");
+    il_output_string(to, il_unit_name(p->unit));
+    il_output_char(to, '\n');
+}
+
 void il_mesh_spool_describe(const il_mesh_spool *m, size_t k, il_output *to, const char *prefix)
 {
     const il_spooled_stack *s = &m->stack[k];
@@ -157,6 +176,8 @@ void il_mesh_spool_describe(const il_mesh_spool *m, size_t k, il_output *to, con
         il_output_string(to, start);
         il_output_comment(to, "crs ", h->crs);
     }
+    if (h->has_placement)
+        describe_placement(to, start, &h->placement);
     const char *coordinates = il_stack_head_attribute(h, IL_ATTRIBUTE_COORDINATES);
     if (coordinates) {
         il_output_string(to, start);

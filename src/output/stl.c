@@ -4,10 +4,12 @@
  * and 16 bits of "attribute", all little-endian.  ASCII: solid NAME, facets,
  * endsolid NAME, one solid a stack.  Neither names a unit nor a colour. */
 #include "config.h"
+#include "base/number.h"
 #include "base/text.h"
 #include "output/mesh-spool.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 typedef struct facet { float normal[3], corner[3][3]; } facet;
@@ -79,29 +81,63 @@ static il_status write_binary_facet(void *self, const il_spooled_triangle *t, il
     return IL_OK;
 }
 
-/* "STL isoloft NAME, NAME", zeros behind.  It begins neither with "solid", which
- * announces ASCII, nor with "isoloft ", the native format's magic; no '=',
- * because some readers take "COLOR=" in a header for a command. */
+enum { HEADER = 80 };
+typedef struct stl_header { char text[HEADER + 1]; size_t n; } stl_header;
+
+/* Whole or not at all: half a number would be another. */
+static bool add_words(stl_header *h, const char *words)
+{
+    size_t n = strlen(words);
+    if (h->n + n > HEADER)
+        return false;
+    memcpy(h->text + h->n, words, n);
+    h->n += n;
+    return true;
+}
+
+/* " offset X Y Z scale S", and " z S" where that of z is another; of offset and scale
+ * what fits. */
+static void add_placement(stl_header *h, const il_placement *p)
+{
+    char number[3][IL_NUMBER_MAX], words[4 * IL_NUMBER_MAX];
+    for (int k = 0; k < 3; k++)
+        il_number_format(number[k], p->offset[k]);
+    snprintf(words, sizeof words, " offset %s %s %s", number[0], number[1], number[2]);
+    bool fits = add_words(h, words);
+    il_number_format(number[0], p->scale[0]);
+    il_number_format(number[2], p->scale[2]);
+    bool same = p->scale[0] == p->scale[2];
+    snprintf(words, sizeof words, same ? " scale %s" : " scale %s z %s", number[0], number[2]);
+    if (fits && (p->scale[0] != 1 || p->scale[2] != 1))
+        add_words(h, words);
+}
+
+static void add_name(stl_header *h, const char *name, const char *joint)
+{
+    if (*name && h->n + strlen(joint) < HEADER && add_words(h, joint))
+        h->n += il_text_printable(h->text + h->n, sizeof h->text - h->n, name, strlen(name));
+}
+
+/* "STL isoloft NAME, NAME", zeros behind; a map's name follows on where its mesh was put.
+ * It begins neither with "solid", which announces ASCII, nor with "isoloft ", the native
+ * format's magic; no '=', because some readers take "COLOR=" in a header for a command. */
 static void write_header(const il_mesh_spool *m, il_output *to)
 {
-    enum { HEADER = 80 };
-    static const char maker[] = "STL isoloft";
-    char header[HEADER + 1] = "";
-    size_t n = sizeof maker - 1;
-    memcpy(header, maker, n);
-    for (size_t k = 0; k < m->n_stacks && n < HEADER; k++) {
-        const char *name = il_stack_head_name(&m->stack[k].head), *joint = n == sizeof maker - 1 ? " " : ", ";
-        size_t more = *name ? strlen(joint) : 0;
-        if (n + more >= HEADER)
-            break;
-        memcpy(header + n, joint, more);
-        n += more;
-        n += il_text_printable(header + n, sizeof header - n, name, strlen(name));
+    stl_header h = { "", 0 };
+    add_words(&h, "STL isoloft");
+    for (size_t k = 0, n = h.n; k < m->n_stacks; k++) {
+        const il_stack_head *head = &m->stack[k].head;
+        const char *joint = h.n == n ? " " : ", ";
+        if (head->has_placement) {
+            add_placement(&h, &head->placement);
+            joint = " ";
+        }
+        add_name(&h, il_stack_head_name(head), joint);
     }
-    for (size_t i = 0; i < n; i++)
-        header[i] = header[i] == '=' ? '_' : header[i];
-    memset(header + n, 0, HEADER - n);
-    il_output_write(to, header, HEADER);
+    for (size_t i = 0; i < h.n; i++)
+        h.text[i] = h.text[i] == '=' ? '_' : h.text[i];
+    memset(h.text + h.n, 0, HEADER - h.n);
+    il_output_write(to, h.text, HEADER);
 }
 
 static il_status write_binary(il_mesh_spool *m, il_output *to, const il_write_options *o, il_error *err)

@@ -72,7 +72,7 @@ static il_status check_extent(const il_stack_head *head, const il_placement_opti
 
 il_status il_placement_choose(il_stack_head *head, const il_placement_options *o, const double box[4], il_error *err)
 {
-    il_placement p = { { 0, 0, 0 }, { 1, 1, 1 } };
+    il_placement p = { { 0, 0, 0 }, { 1, 1, 1 }, head->unit };
     double side = longer_side(box);
     if (o->fit > 0) {
         if (!(il_unit_metres(head->unit) > 0))
@@ -86,6 +86,9 @@ il_status il_placement_choose(il_stack_head *head, const il_placement_options *o
         p.offset[k] = shorten(box[k] / 2 + box[2 + k] / 2, side / 1000, round);
     head->placement = p;
     head->has_placement = !is_identity(&p);
+    if (head->has_frame && (o->recentre || head->has_placement))
+        return il_fail(err, IL_E_INPUT, head->line, "a map with a frame of its own stays where that puts it: --no-recentre, "
+                       "and neither --fit nor --z-scale");
     return check_extent(head, o, box, err);
 }
 

@@ -27,8 +27,8 @@ typedef struct il_placement_options {
  * fit, z_scale and recentre points stay as they are, bit for bit, but for round_float.
  * Offsets are whole multiples of a power of ten between 1/10000 and 1/1000 of the longer
  * side, so that they can be typed, and the middle is no farther than half of that from 0.
- * IL_E_INPUT for a fit of degrees, and for a map that would be beyond 1e15 or have no
- * extent left. */
+ * IL_E_INPUT for a fit of degrees, for a head with a frame, which says itself where
+ * things are, and for a map that would be beyond 1e15 or have no extent left. */
 il_status il_placement_choose(il_stack_head *head, const il_placement_options *o, const double box[4], il_error *err);
 
 /* A coordinate of the mesh as the output holds it. */

@@ -44,7 +44,7 @@ static void check_ways(const il_frame *f, const il_slice *level, size_t n_levels
         assert_true(has_vertex(f, e->foot));
         if (i > 0) {
             const il_frame_end *d = e - 1;
-            assert_true(d->level < e->level || (d->level == e->level && (d->ring < e->ring || (d->ring == e->ring && !d->last && e->last))));
+            assert_true(d->level < e->level || (d->level == e->level && (d->ring < e->ring || (d->ring == e->ring && e->last > d->last))));
         }
         if (same_place(p, e->foot))
             continue;
@@ -206,8 +206,193 @@ static void ends_of_one_level_may_share_a_place(void **state)
 static void a_map_without_area_is_refused(void **state)
 {
     (void)state;
-    assert_frame("1 1, 5 1", "the lines of the map lie on one straight line: there is no ground between them");
+    assert_frame("1 1, 5 1", "the lines of the map enclose nothing: they lie on one straight line");
     assert_frame("", "the map has no lines");
+}
+
+/* ---- hulls --------------------------------------------------------------------------- */
+
+static void assert_frame_of(const char *map, const il_frame_options *o, const char *expected)
+{
+    char text[CONTOURS_TEXT];
+    assert_string_equal(frame_text(map, o, text), expected);
+}
+
+static void a_hull_passes_all_vertices_on_it(void **state)
+{
+    (void)state;
+    il_frame_options o = { .kind = IL_FRAME_HULL };
+    assert_frame_of("o0 0, 4 0, 8 0, 4 4|0 3, 3 1, 2 3|4 4.01, 4 6", &o, "0 0, 4 0, 8 0, 4 6, 0 3 | 1 0 first 0 3 | 2 0 last 4 6");
+    assert_frame_of("0 0, 1 1, 3 3", &o, "the lines of the map enclose nothing: they lie on one straight line");
+}
+
+static void a_hull_holds_every_vertex(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 100; seed++) {
+        uint64_t random = seed;
+        il_slice level = IL_SLICE_INIT;
+        il_ring *r = il_slice_add_ring(&level);
+        for (int k = 0; k < 300; k++) { /* grids have many places in a row */
+            double x = (double)(stack_random(&random) % 30), y = (double)(stack_random(&random) % 30);
+            assert_true(il_ring_add(r, seed % 2 ? x : 0.1 * (x + 0.7 * y), y, 0));
+        }
+        il_frame_options o = { .kind = IL_FRAME_HULL };
+        il_stack_head head = { .kind = IL_KIND_TERRAIN, .unit = IL_UNIT_M };
+        il_frame f;
+        assert_int_equal(il_frame_make(&f, &o, &head, &level, 1, NULL), IL_OK);
+        check_rings(&f);
+        for (size_t v = 0; v < r->n; v++) {
+            bool is_on = has_vertex(&f, r->xy + 2 * v);
+            const il_ring *h = &f.rings.ring[0];
+            for (size_t k = 0; k < h->n; k++) {
+                int side = il_orientation(h->xy + 2 * k, h->xy + 2 * ((k + 1) % h->n), r->xy + 2 * v);
+                assert_true(side > 0 || (side == 0 && is_on));
+            }
+        }
+        il_frame_free(&f);
+        il_slice_free(&level);
+    }
+}
+
+/* ---- outlines -------------------------------------------------------------------------- */
+
+/* Where the outline bends away from the map (4 4), the nearest place of many ends is the corner. */
+static void ends_are_led_to_outlines_from_inside(void **state)
+{
+    (void)state;
+    il_slice outline = slice_of("0 0, 100 0, 100 100, 0 100; 40 40, 40 60, 60 60, 60 40");
+    il_frame_options o = { .kind = IL_FRAME_OUTLINE, .outline = &outline };
+    assert_frame_of("1 50, 39 50|50 101, 50 61|45 50, 55 50|-1 20, 5 20|39.5 39, 20 20", &o,
+                    "0 0, 100 0, 100 100, 0 100, 0 50; 40 40, 40 50, 40 60, 50 60, 60 60, 60 40"
+                    " | 0 0 first 0 50 | 0 0 last 40 50 | 1 0 last 50 60 | 4 0 first 40 40");
+    assert_frame_of("200 200, 300 300", &o, "the outline lies beside the map");
+    o.in_degrees = true;
+    assert_frame_of("1 50, 39 50", &o, "the outline is in degrees and the map in m, of which nobody knows how they were projected");
+    il_slice_free(&outline);
+    outline = slice_of("0 0, 5 5, 10 10");
+    assert_frame_of("1 50, 39 50", &(il_frame_options){ .kind = IL_FRAME_OUTLINE, .outline = &outline }, "the outline encloses nothing");
+    il_slice_free(&outline);
+}
+
+/* ---- degrees ------------------------------------------------------------------------------ */
+
+static const il_projection utm32 = { IL_PROJECTION_TM, IL_ELLIPSOID_WGS84, 9, 0, 0.9996, 500000, 0, true, false };
+static const il_projection ups = { IL_PROJECTION_STEREOGRAPHIC, IL_ELLIPSOID_WGS84, 0, 0, 0.994, 2e6, 2e6, true, false };
+
+/* Lines in the box of degrees G that begin or end on its sides, or touch them, by P; one of
+ * them runs along each side. */
+static il_slice sheet_of(const double g[4], const il_projection *p, double scale, uint64_t seed)
+{
+    il_slice s = IL_SLICE_INIT;
+    for (int line = 0; line < 60; line++) {
+        il_ring *r = il_slice_add_ring(&s);
+        r->open = line % 3 > 0;
+        for (int k = 0; k < 6; k++) {
+            double u = stack_uniform(&seed), v = stack_uniform(&seed), q[2] = { g[0] + u * (g[2] - g[0]), g[1] + v * (g[3] - g[1]) };
+            int side = line < 4 ? line : (int)(stack_random(&seed) % 4);
+            if (k == 0 || k == 5 || line < 4)
+                q[side % 2] = g[side];
+            assert_int_equal(il_project_points(p, q, 1, NULL), IL_OK);
+            assert_true(il_ring_add(r, q[0] * scale, q[1] * scale, 0));
+        }
+    }
+    return s;
+}
+
+static void check_sheet(const double g[4], const il_projection *p, il_unit unit)
+{
+    double scale = 1 / il_unit_metres(unit);
+    il_slice s = sheet_of(g, p, scale, 3);
+    il_stack_head head = { .kind = IL_KIND_TERRAIN, .unit = unit, .has_geographic = true, .projection = *p };
+    memcpy(head.geographic, g, sizeof head.geographic);
+    il_frame_options o = { .kind = IL_FRAME_BBOX };
+    il_frame f;
+    size_t n;
+    assert_int_equal(il_frame_make(&f, &o, &head, &s, 1, NULL), IL_OK);
+    check_rings(&f);
+    double *e = edges_of(&f.rings, &n);
+    assert_true(n > 100 && n < 1000);
+    assert_int_equal(f.n_ends, 2 * 40);
+    for (size_t k = 0; k < f.n_ends; k++)
+        assert_true(same_place(end_of(&s, &f.end[k]), f.end[k].foot));
+    for (size_t i = 0; i < s.n; i++)
+        for (size_t k = 0; k < s.ring[i].n; k++)
+            assert_true(has_vertex(&f, s.ring[i].xy + 2 * k) || is_inside(e, n, s.ring[i].xy[2 * k], s.ring[i].xy[2 * k + 1]));
+    free(e);
+    il_frame_free(&f);
+    il_slice_free(&s);
+}
+
+static void a_box_of_degrees_is_bent_and_holds_all_lines(void **state)
+{
+    (void)state;
+    check_sheet((const double[]){ 9.5, 46, 10.25, 46.5 }, &utm32, IL_UNIT_M);
+    check_sheet((const double[]){ 6.1, 46, 6.11, 46.02 }, &utm32, IL_UNIT_M);
+    check_sheet((const double[]){ 6.1, 46, 6.11, 46.02 }, &utm32, IL_UNIT_FT);
+    check_sheet((const double[]){ 4, -80, 14, 80 }, &utm32, IL_UNIT_KM);
+    check_sheet((const double[]){ 160, 84, 200, 87 }, &ups, IL_UNIT_M);
+    check_sheet((const double[]){ 10, 84, 130, 90 }, &ups, IL_UNIT_M);
+}
+
+/* The sides are straight between longitudes and latitudes, to a millionth of their length. */
+static void chords_stray_little(void **state)
+{
+    (void)state;
+    const double g[4] = { 9.5, 46, 10.25, 46.5 };
+    il_slice s = sheet_of(g, &utm32, 1, 3);
+    il_stack_head head = { .kind = IL_KIND_TERRAIN, .unit = IL_UNIT_M, .has_geographic = true, .projection = utm32 };
+    memcpy(head.geographic, g, sizeof head.geographic);
+    il_frame f;
+    il_frame_options o = { .kind = IL_FRAME_BBOX };
+    assert_int_equal(il_frame_make(&f, &o, &head, &s, 1, NULL), IL_OK);
+    const il_ring *r = &f.rings.ring[0];
+    for (size_t k = 0; k < r->n; k++) {
+        const double *a = r->xy + 2 * k, *b = r->xy + 2 * ((k + 1) % r->n);
+        double q[2] = { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 };
+        assert_int_equal(il_unproject_points(&utm32, q, 1, NULL), IL_OK);
+        double off = fmin(fmin(fabs(q[0] - g[0]), fabs(q[0] - g[2])), fmin(fabs(q[1] - g[1]), fabs(q[1] - g[3])));
+        assert_true(off < 1e-6);
+    }
+    il_frame_free(&f);
+    il_slice_free(&s);
+}
+
+/* Behind the pole the sides of its box would meet. */
+static void a_map_around_the_pole_has_a_box_of_the_plane(void **state)
+{
+    (void)state;
+    il_slice s = slice_of("0 0, 4e6 1e6, 4e6 4e6, 1e6 4e6");
+    il_stack_head head = { .kind = IL_KIND_TERRAIN, .unit = IL_UNIT_M, .has_geographic = true, .projection = ups,
+                           .geographic = { -180, 70, 180, 90 } };
+    il_frame f;
+    char text[CONTOURS_TEXT];
+    il_frame_options o = { .kind = IL_FRAME_BBOX };
+    assert_int_equal(il_frame_make(&f, &o, &head, &s, 1, NULL), IL_OK);
+    assert_string_equal(slice_text(&f.rings, text), "0 0, 4000000 0, 4000000 1000000, 4000000 4000000, 1000000 4000000, 0 4000000");
+    il_frame_free(&f);
+    il_slice_free(&s);
+}
+
+/* An outline in degrees, in whichever turn, is that of a map in degrees; where its lines end on it,
+ * they end on it in the plane. */
+static void an_outline_in_degrees_is_projected_like_the_map(void **state)
+{
+    (void)state;
+    const double g[4] = { 9.5, 46, 10.25, 46.5 };
+    il_slice s = sheet_of(g, &utm32, 1, 3), outline = slice_of("369.5 46, 370.25 46, 370.25 46.5, 369.5 46.5");
+    il_stack_head head = { .kind = IL_KIND_TERRAIN, .unit = IL_UNIT_M, .has_geographic = true, .projection = utm32 };
+    memcpy(head.geographic, g, sizeof head.geographic);
+    il_frame f;
+    il_frame_options o = { .kind = IL_FRAME_OUTLINE, .outline = &outline, .in_degrees = true };
+    assert_int_equal(il_frame_make(&f, &o, &head, &s, 1, NULL), IL_OK);
+    check_rings(&f);
+    assert_int_equal(f.n_ends, 2 * 40);
+    for (size_t k = 0; k < f.n_ends; k++)
+        assert_true(same_place(end_of(&s, &f.end[k]), f.end[k].foot));
+    il_frame_free(&f);
+    il_slice_free(&s);
+    il_slice_free(&outline);
 }
 
 /* ---- many random lines --------------------------------------------------------------- */
@@ -233,7 +418,7 @@ static void whatever_the_lines_ways_cross_nothing(void **state)
         il_slice level[3] = { IL_SLICE_INIT, IL_SLICE_INIT, IL_SLICE_INIT };
         for (int k = 0; k < 40; k++)
             add_line(&level[k % 3], &random);
-        il_frame_options o = { .kind = IL_FRAME_BBOX };
+        il_frame_options o = { .kind = seed % 2 ? IL_FRAME_BBOX : IL_FRAME_HULL };
         il_stack_head head = { .kind = IL_KIND_TERRAIN, .unit = IL_UNIT_M };
         il_frame f;
         assert_int_equal(il_frame_make(&f, &o, &head, level, 3, NULL), IL_OK);
@@ -279,6 +464,13 @@ int main(void)
         cmocka_unit_test(ends_of_two_levels_come_to_two_places),
         cmocka_unit_test(ends_of_one_level_may_share_a_place),
         cmocka_unit_test(a_map_without_area_is_refused),
+        cmocka_unit_test(a_hull_passes_all_vertices_on_it),
+        cmocka_unit_test(a_hull_holds_every_vertex),
+        cmocka_unit_test(ends_are_led_to_outlines_from_inside),
+        cmocka_unit_test(a_box_of_degrees_is_bent_and_holds_all_lines),
+        cmocka_unit_test(chords_stray_little),
+        cmocka_unit_test(a_map_around_the_pole_has_a_box_of_the_plane),
+        cmocka_unit_test(an_outline_in_degrees_is_projected_like_the_map),
         cmocka_unit_test(whatever_the_lines_ways_cross_nothing),
         cmocka_unit_test(memory_may_run_out_anywhere),
     };

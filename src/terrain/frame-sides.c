@@ -1,6 +1,9 @@
 #include "config.h"
 #include "terrain/frame-sides.h"
 #include "base/alloc.h"
+#include "terrain/frame-curves.h"
+#include "terrain/frame-hull.h"
+#include "terrain/frame-outline.h"
 
 #include <math.h>
 #include <string.h>
@@ -85,22 +88,53 @@ static il_status build_tree(il_frame_sides *s, il_error *err)
     return il_nearest_build(&s->tree, segment, s->n, 1, err);
 }
 
+/* Twice the area that they enclose, from the middle of their box. */
+static double area2(const il_frame_sides *s)
+{
+    double x = (s->box[0] + s->box[2]) / 2, y = (s->box[1] + s->box[3]) / 2, sum = 0;
+    for (size_t k = 0; k < s->n; k++) {
+        const double *a = s->side[k].a, *b = s->side[k].b;
+        sum += (a[0] - x) * (b[1] - y) - (a[1] - y) * (b[0] - x);
+    }
+    return sum;
+}
+
+static il_status check(const il_frame_sides *s, const il_frame_options *o, const double lines[4], il_error *err)
+{
+    bool encloses = s->n > 2 && area2(s) > 0;
+    if (o->kind != IL_FRAME_OUTLINE)
+        return encloses ? IL_OK : il_fail(err, IL_E_INPUT, 0, "the lines of the map enclose nothing: they lie on one straight line");
+    if (!encloses)
+        return il_fail(err, IL_E_INPUT, 0, "the outline encloses nothing");
+    if (lines[0] > s->box[2] || lines[2] < s->box[0] || lines[1] > s->box[3] || lines[3] < s->box[1])
+        return il_fail(err, IL_E_INPUT, 0, "the outline lies beside the map");
+    return IL_OK;
+}
+
+static il_status add_sides(il_frame_sides *s, const il_frame_options *o, const il_stack_head *head,
+                           const il_slice *level, size_t n_levels, const double box[4], il_error *err)
+{
+    if (o->kind == IL_FRAME_OUTLINE)
+        return il_frame_outline_add(s, o, head, err);
+    if (o->kind == IL_FRAME_HULL)
+        return il_frame_hull_add(s, level, n_levels, err);
+    return il_frame_is_curved(head) ? il_frame_curves_make(s, head, err) : add_box(s, box, err);
+}
+
 il_status il_frame_sides_make(il_frame_sides *s, const il_frame_options *o, const il_stack_head *head,
                               const il_slice *level, size_t n_levels, il_error *err)
 {
     double box[4];
-    (void)o;
-    (void)head;
     *s = (il_frame_sides)IL_FRAME_SIDES_INIT;
     box_of_lines(box, level, n_levels);
-    if (!(box[0] < box[2] && box[1] < box[3]))
-        return il_fail(err, IL_E_INPUT, 0, box[0] <= box[2] ? "the lines of the map lie on one straight line: there is no ground between them"
-                                                            : "the map has no lines");
-    il_status st = add_box(s, box, err);
+    il_status st = box[0] <= box[2] ? add_sides(s, o, head, level, n_levels, box, err)
+                                    : il_fail(err, IL_E_INPUT, 0, "the map has no lines");
     if (st == IL_OK) {
         measure(s);
-        st = build_tree(s, err);
+        st = check(s, o, box, err);
     }
+    if (st == IL_OK)
+        st = build_tree(s, err);
     if (st != IL_OK)
         il_frame_sides_free(s);
     return st;

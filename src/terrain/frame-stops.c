@@ -3,6 +3,7 @@
 #include "terrain/frame-stops.h"
 #include "base/alloc.h"
 #include "bridge/predicates.h"
+#include "terrain/frame-curves.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -58,6 +59,7 @@ int il_stop_compare(const void *a, const void *b)
 typedef struct search {
     const double *p;
     size_t side;
+    double slack;
 } search;
 
 /* Of a segment in whose box p lies. */
@@ -72,7 +74,7 @@ static bool lies_on(void *context, const il_segment *s)
 /* The side that P lies on exactly. */
 static bool find_exactly(const il_frame_sides *s, const double *p, size_t *side)
 {
-    search q = { p, 0 };
+    search q = { p, 0, 0 };
     const double box[4] = { p[0], p[1], p[0], p[1] };
     bool is_found = il_nearest_visit(&s->tree, 0, box, lies_on, &q);
     *side = q.side;
@@ -127,37 +129,77 @@ typedef struct walk {
     il_frame_end at;
 } walk;
 
-static il_status add_vertex(walk *w, size_t side, const double *p, bool is_end, il_error *err)
+static il_status add_vertex(walk *w, size_t side, double t, const double *p, bool is_end, il_error *err)
 {
-    il_stop stop = il_stop_at(w->sides, side, share_of(w->sides, side, p), p, w->at.level, IL_STOP_VERTEX);
+    il_stop stop = il_stop_at(w->sides, side, t, p, w->at.level, IL_STOP_VERTEX);
     memcpy(w->at.foot, p, sizeof w->at.foot);
     if (!il_stops_add(w->stops, &stop) || (is_end && !il_frame_add_end(w->out, &w->at)))
         return il_fail_nomem(err);
     return IL_OK;
 }
 
-static il_status add_loose(walk *w, const il_near *n, const double *p, il_error *err)
+static il_status add_loose(walk *w, size_t side, double t, const double *at, const double *p, il_error *err)
 {
     il_stops *o = w->stops;
-    double at[2];
     if (!il_grow(&o->loose, &o->cap_loose, o->n_loose + 1, sizeof *o->loose))
         return il_fail_nomem(err);
-    place_on(w->sides, n->id, n->t, p, at);
-    o->loose[o->n_loose++] = (il_loose_end){ w->at, il_stop_at(w->sides, n->id, n->t, at, w->at.level, IL_STOP_FOOT),
-                                             { p[0], p[1] }, n->distance };
+    o->loose[o->n_loose++] = (il_loose_end){ w->at, il_stop_at(w->sides, side, t, at, w->at.level, IL_STOP_FOOT),
+                                             { p[0], p[1] }, hypot(p[0] - at[0], p[1] - at[1]) };
     return IL_OK;
 }
 
 static il_status take_end(walk *w, const double *p, il_error *err)
 {
+    const il_frame_sides *s = w->sides;
     il_near n;
-    if (!il_nearest_point(&w->sides->tree, 0, p[0], p[1], &n))
+    il_curve_place c;
+    if (!il_nearest_point(&s->tree, 0, p[0], p[1], &n) || n.distance > fmax(w->reach, s->slack))
         return IL_OK;
-    if (n.distance <= w->sides->slack)
-        return add_vertex(w, n.id, p, true, err);
-    if (n.distance <= w->reach && is_inside(w->sides, n.id, n.t, p))
-        return add_loose(w, &n, p, err);
-    return IL_OK;
+    bool is_on = n.distance <= s->slack;
+    if (!is_on && !is_inside(s, n.id, n.t, p))
+        return IL_OK;
+    c = (il_curve_place){ .side = n.id, .t = share_of(s, n.id, p) };
+    place_on(s, n.id, n.t, p, c.at);
+    il_status st = s->is_curved ? il_frame_curves_locate(s, p, &c, err) : IL_OK;
+    if (st != IL_OK)
+        return st;
+    return is_on ? add_vertex(w, c.side, c.t, p, true, err) : add_loose(w, c.side, c.t, c.at, p, err);
+}
+
+/* Of a segment that bends away from its chord: is p as near to it as the curve may be? */
+static bool may_be_on(void *context, const il_segment *s)
+{
+    const search *q = context;
+    double ux = s->bx - s->ax, uy = s->by - s->ay;
+    return fabs(ux * (q->p[1] - s->ay) - uy * (q->p[0] - s->ax)) <= q->slack * hypot(ux, uy);
+}
+
+/* On a curve within rounding, or between that and its chord. */
+static il_status take_near_curve(walk *w, const double *p, il_error *err)
+{
+    const il_frame_sides *s = w->sides;
+    const double box[4] = { p[0] - s->slack, p[1] - s->slack, p[0] + s->slack, p[1] + s->slack };
+    search q = { p, 0, s->slack };
+    il_curve_place c;
+    if (!il_nearest_visit(&s->tree, 0, box, may_be_on, &q))
+        return IL_OK;
+    il_status st = il_frame_curves_locate(s, p, &c, err);
+    if (st != IL_OK)
+        return st;
+    if (c.is_on)
+        return add_vertex(w, c.side, c.t, p, false, err);
+    if (il_orientation(s->side[c.side].a, s->side[c.side].b, p) > 0)
+        return IL_OK;
+    il_stop bulge = il_stop_at(s, c.side, c.t, c.at, w->at.level, IL_STOP_BULGE);
+    return il_stops_add(w->stops, &bulge) ? IL_OK : il_fail_nomem(err);
+}
+
+static il_status take_vertex(walk *w, const double *p, il_error *err)
+{
+    size_t side;
+    if (w->sides->is_curved)
+        return take_near_curve(w, p, err);
+    return find_exactly(w->sides, p, &side) ? add_vertex(w, side, share_of(w->sides, side, p), p, false, err) : IL_OK;
 }
 
 static il_status take_line(walk *w, const il_ring *r, il_error *err)
@@ -165,12 +207,8 @@ static il_status take_line(walk *w, const il_ring *r, il_error *err)
     il_status st = IL_OK;
     for (size_t v = 0; v < r->n && st == IL_OK; v++) {
         bool is_end = r->open && (v == 0 || v + 1 == r->n);
-        size_t side;
         w->at.last = v > 0;
-        if (is_end)
-            st = take_end(w, r->xy + 2 * v, err);
-        else if (find_exactly(w->sides, r->xy + 2 * v, &side))
-            st = add_vertex(w, side, r->xy + 2 * v, false, err);
+        st = is_end ? take_end(w, r->xy + 2 * v, err) : take_vertex(w, r->xy + 2 * v, err);
     }
     return st;
 }

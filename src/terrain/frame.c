@@ -65,13 +65,15 @@ static bool add_place(course *c, const double p[2])
     return il_ring_add(c->ring, p[0], p[1], 0);
 }
 
-/* A bulge next to another stop is none. */
+/* A bulge next to another place is none. */
 static bool is_idle(const course *c, size_t i, size_t k)
 {
     const il_stop *s = &c->stop[i];
-    return s->kind == IL_STOP_BULGE &&
-           ((i > c->first[k] && is_near(c, s->at, c->stop[i - 1].at)) || (i + 1 < c->first[k + 1] && is_near(c, s->at, c->stop[i + 1].at)) ||
-            is_near(c, s->at, c->sides->side[k].a) || is_near(c, s->at, c->sides->side[k].b));
+    if (s->kind != IL_STOP_BULGE)
+        return false;
+    return (i > c->first[k] && is_near(c, s->at, s[-1].at)) || is_near(c, s->at, c->sides->side[k].a) ||
+           (i + 1 < c->first[k + 1] && s[1].kind != IL_STOP_BULGE && is_near(c, s->at, s[1].at)) ||
+           is_near(c, s->at, c->sides->side[k].b);
 }
 
 static bool add_side(course *c, size_t k)

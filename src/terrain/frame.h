@@ -5,7 +5,8 @@
 #include "model/stack.h"
 
 /* The box of all lines (of a map that was in degrees: the box of longitudes and latitudes,
- * projected like the lines); the convex hull of all lines; outlines of the user's. */
+ * projected like the lines, but not half way around a pole or farther, where its sides would
+ * meet); the convex hull of all lines; outlines of the user's. */
 typedef enum il_frame_kind { IL_FRAME_BBOX, IL_FRAME_HULL, IL_FRAME_OUTLINE } il_frame_kind;
 
 /* outline: closed rings, holes among them (even-odd), in the coordinates of the map, or in
@@ -26,9 +27,11 @@ typedef struct il_frame_end {
 } il_frame_end;
 
 /* rings: the frame, map on their left, all feet and all vertices of lines that lie on it
- * exactly among their vertices.  end[n_ends]: ends that reach it, by level, ring, then first before last.
- * Lines with an end that is not listed end inside the map.  box: least x and y, greatest
- * x and y of the rings. */
+ * exactly among their vertices.  end[n_ends]: ends that reach it, by level, ring, then first
+ * before last; the edges from them to their feet cross and touch no line and none of each
+ * other, but that feet of one level may be one.  Lines with an end that is not listed end
+ * inside the map, or outside of the frame.  No line goes out of a frame but of an outline.
+ * box: least x and y, greatest x and y of the rings. */
 typedef struct il_frame {
     il_slice rings;
     il_frame_end *end;      size_t n_ends, cap_ends;
@@ -40,7 +43,11 @@ void il_frame_free(il_frame *f); /* safe twice */
 
 /* The frame of the lines level[n_levels] of a terrain with head HEAD.  An end within
  * IL_FRAME_REACH of the frame's shorter side from it is led there, for isolines of a
- * raster end half a cell before it.  IL_E_INPUT for a frame without area, IL_E_NOMEM. */
+ * raster end half a cell before it: to the nearest place, or beside it where something is
+ * in the way.  An end that lies on it but for rounding (1e-9 of the frame's size; in
+ * degrees also what the chords of bent sides are off) bends it, so that end and foot are one.
+ * O(n log n).  IL_E_INPUT for a frame without area, for an outline beside the map or in
+ * degrees that nobody knows how to project; IL_E_NOMEM. */
 #define IL_FRAME_REACH 0.02
 il_status il_frame_make(il_frame *out, const il_frame_options *o, const il_stack_head *head,
                         const il_slice *level, size_t n_levels, il_error *err);

@@ -173,9 +173,10 @@ static il_status label(work *w, size_t n_lines, il_error *err)
 {
     il_free(w->border);
     il_bands_free(&w->bands);
-    il_status st = il_tin_borders(&w->tin, &w->chart, &w->border, &w->n_borders, err);
+    size_t n_faces = 0;
+    il_status st = il_tin_borders(&w->tin, &w->chart, &w->border, &w->n_borders, &n_faces, err);
     if (st == IL_OK)
-        st = il_bands_label(&w->bands, w->border, w->n_borders, w->tin.n_faces, n_lines, w->r->n, w->r->options.high, err);
+        st = il_bands_label(&w->bands, w->border, w->n_borders, n_faces, n_lines, w->r->n, w->r->options.high, err);
     return st;
 }
 

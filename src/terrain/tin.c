@@ -132,6 +132,34 @@ static il_status find_faces(il_tin *t, il_error *err)
     return t->face ? IL_OK : il_fail_nomem(err);
 }
 
+static bool lies_nowhere(const il_tin *t, const il_chart *c, size_t e)
+{
+    return !is_frame(c, (uint32_t)e) && t->side[2 * e] == IL_CHART_NONE && t->side[2 * e + 1] == IL_CHART_NONE;
+}
+
+/* Edges of lines that run along the frame have its sides. */
+static bool share_sides(il_tin *t, const il_chart *c)
+{
+    il_keymap frame = IL_KEYMAP_INIT;
+    bool any = false, ok = true;
+    for (size_t e = 0; e < c->n_edges; e++)
+        any = any || lies_nowhere(t, c, e);
+    for (size_t e = 0; any && ok && e < c->n_edges; e++)
+        ok = !is_frame(c, (uint32_t)e) || il_keymap_put(&frame, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
+    for (size_t e = 0; any && ok && e < c->n_edges; e++) {
+        uint32_t f = IL_CHART_NONE;
+        if (lies_nowhere(t, c, e))
+            f = il_keymap_get(&frame, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), IL_CHART_NONE);
+        if (f == IL_CHART_NONE)
+            continue;
+        bool alike = c->edge[2 * e] == c->edge[2 * (size_t)f];
+        t->side[2 * e] = t->side[2 * (size_t)f + (alike ? 0 : 1)];
+        t->side[2 * e + 1] = t->side[2 * (size_t)f + (alike ? 1 : 0)];
+    }
+    il_keymap_free(&frame);
+    return ok;
+}
+
 static il_status find_sides(il_tin *t, const il_chart *c, il_error *err)
 {
     t->n_sides = c->n_edges;
@@ -143,7 +171,7 @@ static il_status find_sides(il_tin *t, const il_chart *c, il_error *err)
     for (size_t k = 0; k < 3 * t->n; k++)
         if (t->edge[k] != IL_CHART_NONE)
             t->side[2 * (size_t)t->edge[k] + (is_left_of(c, t, k) ? 0 : 1)] = t->face[k / 3];
-    return IL_OK;
+    return share_sides(t, c) ? IL_OK : il_fail_nomem(err);
 }
 
 /* A face is inside when the frame must be crossed an odd number of times to leave it. */
@@ -299,22 +327,24 @@ il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err
 
 /* ---- borders -------------------------------------------------------------------- */
 
-static bool is_same_stretch(const il_border *b, const uint32_t *side, uint32_t line)
+static bool is_same_stretch(const il_border *b, const uint32_t *side, uint32_t line, size_t n_faces)
 {
-    return b->line == line && b->face[0] == side[0] && b->face[1] == side[1];
+    return b->line == line && (b->face[0] == side[0] || (side[0] == IL_CHART_NONE && b->face[0] >= n_faces)) &&
+           (b->face[1] == side[1] || (side[1] == IL_CHART_NONE && b->face[1] >= n_faces));
 }
 
-il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, il_error *err)
+il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, size_t *n_faces, il_error *err)
 {
     size_t cap = 0;
     *border = NULL;
     *n = 0;
+    *n_faces = t->n_faces;
     for (size_t e = 0; e < c->n_edges; e++) {
         const uint32_t *side = t->side + 2 * e, *v = c->edge + 2 * e;
-        if (is_frame(c, (uint32_t)e) || side[0] == IL_CHART_NONE || side[1] == IL_CHART_NONE)
+        if (is_frame(c, (uint32_t)e) || (side[0] == IL_CHART_NONE && side[1] == IL_CHART_NONE))
             continue;
         double length = hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
-        if (*n > 0 && is_same_stretch(&(*border)[*n - 1], side, c->owner[e])) {
+        if (*n > 0 && is_same_stretch(&(*border)[*n - 1], side, c->owner[e], t->n_faces)) {
             (*border)[*n - 1].length += length;
             continue;
         }
@@ -324,8 +354,10 @@ il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border,
             *n = 0;
             return il_fail_nomem(err);
         }
-        (*border)[(*n)++] = (il_border){ { side[0], side[1] }, c->owner[e], c->node[v[0]].level, length,
-                                         { c->xy[2 * v[0]], c->xy[2 * v[0] + 1] } };
+        il_border b = { { side[0], side[1] }, c->owner[e], c->node[v[0]].level, length, { c->xy[2 * v[0]], c->xy[2 * v[0] + 1] } };
+        for (int k = 0; k < 2; k++)
+            b.face[k] = side[k] == IL_CHART_NONE ? (uint32_t)(*n_faces)++ : side[k];
+        (*border)[(*n)++] = b;
     }
     return IL_OK;
 }

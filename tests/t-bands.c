@@ -301,6 +301,27 @@ static void a_missing_line_is_told_by_its_neighbours(void **state)
     }
 }
 
+/* Six hills, of which one lacks its lowest line: the sea goes on below that level there. */
+static void a_line_that_is_missing_in_the_sea_leaves_the_others(void **state)
+{
+    (void)state;
+    for (uint32_t hills = 2; hills < 7; hills++) {
+        map m = { .n = 0 };
+        for (uint32_t h = 0; h < hills; h++)
+            for (uint32_t i = 0; i < 3; i++)
+                if (h > 0 || i > 0)
+                    part(&m, 3 * h + i - 1, (int32_t)i, i == 0 || (h == 0 && i == 1) ? 0 : 3 * h + i - 1, 3 * h + i, 9. - i);
+        il_bands b = label(&m, 3);
+        assert_int_equal(b.n_left_out, 0);
+        assert_int_equal(b.n_discords, 1);
+        assert_discord(&b.discord[0], IL_DISCORD_MISSING, 2, 0);
+        assert_true(b.band[0].low == -1 && b.band[0].high == 1);
+        for (uint32_t f = 1; f < 3 * hills; f++)
+            assert_int_equal(b.band[f].low, (int32_t)(f % 3));
+        il_bands_free(&b);
+    }
+}
+
 static void a_third_level_is_told(void **state)
 {
     (void)state;
@@ -548,6 +569,7 @@ int main(void)
         cmocka_unit_test(a_wrong_height_among_neighbours_is_named),
         cmocka_unit_test(lines_that_changed_heights_are_named),
         cmocka_unit_test(a_missing_line_is_told_by_its_neighbours),
+        cmocka_unit_test(a_line_that_is_missing_in_the_sea_leaves_the_others),
         cmocka_unit_test(a_third_level_is_told),
         cmocka_unit_test(a_line_with_one_face_on_both_sides_is_left_out),
         cmocka_unit_test(lines_that_cross_are_both_named),

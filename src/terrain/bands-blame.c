@@ -1,192 +1,43 @@
 /* bands-blame.c - suspects gathered around a border, tried one by one, the worst named. */
 #include "config.h"
 #include "terrain/bands-blame.h"
-#include "base/alloc.h"
 
-/* Lines tried for one border; those of a face of one level count when it has so few borders;
- * faces looked at from the border. */
-enum { SUSPECTS = 32, FEW_BORDERS = 16, NEAR_FACES = 16 };
+/* Remedies tried for one border; faces looked at from it; lines of a face of one level count
+ * when it has so few borders; lines of which pairs are tried. */
+enum { SUSPECTS = 16, NEAR_FACES = 16, FEW_BORDERS = 16, EXCHANGED = 4 };
 
-il_status il_blamer_make(il_blamer *m, il_bands_graph *g, il_settler *s, il_error *err)
-{
-    *m = (il_blamer){ .graph = g, .settler = s };
-    m->merger = il_alloc(g->n_faces, sizeof *m->merger);
-    m->start = il_alloc(g->n_faces, sizeof *m->start);
-    m->saved = il_alloc(g->n_faces, sizeof *m->saved);
-    m->face_stamp = il_calloc(g->n_faces, sizeof *m->face_stamp);
-    m->stamp = il_calloc(g->n, sizeof *m->stamp);
-    return m->merger && m->start && m->saved && m->face_stamp && m->stamp ? IL_OK : il_fail_nomem(err);
-}
-
-void il_blamer_free(il_blamer *m)
-{
-    il_free(m->merger);
-    il_free(m->start);
-    il_free(m->saved);
-    il_free(m->face_stamp);
-    il_free(m->stamp);
-    il_free(m->wrong);
-    *m = (il_blamer){ 0 };
-}
-
-/* ---- what is wrong around some faces ------------------------------------------------- */
-
-/* Borders that go wrong, levels that are missing, faces of three kinds of levels. */
-typedef struct tally { long wrong, missing, many; } tally;
-
-static bool is_fresh(uint32_t *stamp, uint32_t i, uint32_t epoch)
-{
-    bool fresh = stamp[i] != epoch;
-    stamp[i] = epoch;
-    return fresh;
-}
-
-static void count_face(il_blamer *m, uint32_t face, tally *t)
-{
-    il_bands_graph *g = m->graph;
-    if (!is_fresh(m->face_stamp, face, m->face_epoch))
-        return;
-    uint32_t b;
-    for (il_round r = il_round_begin(g, face); il_round_next(&r, &b);)
-        if (is_fresh(m->stamp, b, m->epoch) && il_bands_graph_is_bad(g, b))
-            t->wrong++;
-    t->missing += il_around_missing(&g->around[face]);
-    t->many += g->around[face].kinds > 2;
-}
-
-/* Of the faces that trials begin with and of all that were settled, as they are now. */
-static tally count_wrong(il_blamer *m)
-{
-    tally t = { 0, 0, 0 };
-    m->epoch++;
-    m->face_epoch++;
-    for (size_t i = 0; i < m->n_start; i++)
-        count_face(m, m->graph->leader[m->start[i]], &t);
-    for (size_t i = 0; i < m->settler->n; i++)
-        count_face(m, m->graph->leader[m->settler->face[i]], &t);
-    return t;
-}
-
-/* start: the leaders on the sides of LINE; saved: what is around them. */
-static void begin_with(il_blamer *m, uint32_t line)
-{
-    il_bands_graph *g = m->graph;
-    m->n_start = 0;
-    m->face_epoch++;
-    for (uint32_t b = g->first_of_line[line]; b < g->first_of_line[line + 1]; b++)
-        for (int side = 0; side < 2; side++) {
-            uint32_t face = il_bands_graph_leader(g, b, side);
-            if (is_fresh(m->face_stamp, face, m->face_epoch)) {
-                m->saved[m->n_start] = g->around[face];
-                m->start[m->n_start++] = face;
-            }
-        }
-}
-
-/* After lines went out or changed their level: everything that hangs on start. */
-static void settle_again(il_blamer *m)
-{
-    il_bands_graph *g = m->graph;
-    m->face_epoch++;
-    for (size_t i = 0; i < m->n_start; i++)
-        if (is_fresh(m->face_stamp, g->leader[m->start[i]], m->face_epoch))
-            il_bands_graph_look_around(g, g->leader[m->start[i]]);
-    il_settle_begin(m->settler);
-    for (size_t i = 0; i < m->n_start; i++)
-        il_settle_from(m->settler, g->leader[m->start[i]]);
-}
-
-/* After settle_again: count, let UNDO put things back, and say what got worse. */
-static tally difference(tally after, tally before)
-{
-    return (tally){ after.wrong - before.wrong, after.missing - before.missing, after.many - before.many };
-}
-
-static void restore_around(il_blamer *m)
-{
-    for (size_t i = 0; i < m->n_start; i++)
-        m->graph->around[m->start[i]] = m->saved[i];
-}
-
-/* The faces that were settled for trial, as they were before. */
-static tally count_before(il_blamer *m)
-{
-    il_settler *s = m->settler;
-    size_t n = s->n;
-    il_settle_undo(s);
-    s->n = n;
-    tally t = count_wrong(m);
-    s->n = 0;
-    return t;
-}
-
-/* What gets worse without LINE.  A map that loses its last guide is no good. */
-static tally try_without(il_blamer *m, uint32_t line)
-{
-    begin_with(m, line);
-    size_t n = il_bands_graph_take_out(m->graph, line, m->merger);
-    settle_again(m);
-    tally after = count_wrong(m);
-    after.wrong += 2 * (long)m->settler->n_lost;
-    il_bands_graph_put_back(m->graph, line, m->merger, n);
-    restore_around(m);
-    return difference(after, count_before(m));
-}
-
-static void set_level(il_bands_graph *g, uint32_t line, int32_t level)
-{
-    for (uint32_t b = g->first_of_line[line]; b < g->first_of_line[line + 1]; b++)
-        g->border[b].level = level;
-}
-
-static tally try_level(il_blamer *m, uint32_t line, int32_t level)
-{
-    il_bands_graph *g = m->graph;
-    int32_t given = g->border[g->first_of_line[line]].level;
-    begin_with(m, line);
-    set_level(g, line, level);
-    settle_again(m);
-    tally after = count_wrong(m);
-    after.wrong += 2 * (long)m->settler->n_lost;
-    set_level(g, line, given);
-    restore_around(m);
-    return difference(after, count_before(m));
-}
+typedef struct suspects { il_remedy remedy[SUSPECTS]; size_t n; } suspects;
 
 /* ---- suspects ------------------------------------------------------------------------- */
 
-typedef struct suspects { uint32_t line[SUSPECTS]; size_t n; } suspects;
-
-static void suspect(suspects *s, uint32_t line)
+static void suspect(suspects *s, il_remedy r)
 {
     for (size_t i = 0; i < s->n; i++)
-        if (s->line[i] == line)
+        if (s->remedy[i].line == r.line && s->remedy[i].face == r.face && s->remedy[i].wide == r.wide)
             return;
     if (s->n < SUSPECTS)
-        s->line[s->n++] = line;
+        s->remedy[s->n++] = r;
 }
 
-/* Around FACE: lines that go wrong as well; a line that alone has the lowest or highest
- * level of several, for it alone says where the face lies. */
-static void suspect_around(il_blamer *m, uint32_t face, suspects *s)
+static void suspect_line(suspects *s, uint32_t line)
 {
-    il_bands_graph *g = m->graph;
-    const il_around *a = &g->around[face];
-    uint32_t b;
-    bool alone[2] = { a->kinds > 1, a->kinds > 1 };
-    for (il_round r = il_round_begin(g, face); il_round_next(&r, &b);) {
-        const il_border *border = &g->border[b];
-        if (il_bands_graph_is_bad(g, b))
-            suspect(s, border->line);
-        for (int end = 0; end < 2; end++)
-            if (border->level == (end ? a->high : a->low) && border->line != g->border[a->border[end]].line)
-                alone[end] = false;
-    }
-    for (int end = 0; end < 2; end++)
-        if (alone[end])
-            suspect(s, g->border[a->border[end]].line);
+    suspect(s, (il_remedy){ line, UINT32_MAX, 0 });
 }
 
+/* FACE says where it lies of LEVEL: it need not, if it is wide.  Where directions say so,
+ * nothing is missing. */
+static void suspect_wide(const il_bands_graph *g, uint32_t face, int32_t level, suspects *s)
+{
+    const il_around *a = &g->around[face];
+    if (il_around_is_single(a) && g->directed[face])
+        return;
+    int wide = a->kinds == 1 ? IL_WIDE_LOW | IL_WIDE_HIGH
+             : level == a->low ? IL_WIDE_LOW : level == a->high ? IL_WIDE_HIGH : 0;
+    if ((wide & ~a->wide) != 0)
+        suspect(s, (il_remedy){ UINT32_MAX, face, wide });
+}
+
+/* Faces to look at. */
 typedef struct faces { uint32_t face[NEAR_FACES]; size_t n; } faces;
 
 static void add_face(faces *f, uint32_t face)
@@ -198,6 +49,34 @@ static void add_face(faces *f, uint32_t face)
         f->face[f->n++] = face;
 }
 
+static void add_faces_of(const il_bands_graph *g, uint32_t b, faces *f)
+{
+    add_face(f, il_bands_graph_leader(g, b, 0));
+    add_face(f, il_bands_graph_leader(g, b, 1));
+}
+
+/* Around FACE: lines that go wrong as well, whose other faces are to be looked at; a line
+ * that alone has the lowest or highest level of several, for it alone says where the face lies. */
+static void suspect_around(il_bands_graph *g, uint32_t face, suspects *s, faces *near)
+{
+    const il_around *a = &g->around[face];
+    uint32_t b;
+    bool alone[2] = { a->kinds > 1, a->kinds > 1 };
+    for (il_round r = il_round_begin(g, face); il_round_next(&r, &b);) {
+        const il_border *border = &g->border[b];
+        if (il_bands_graph_is_bad(g, b)) {
+            suspect_line(s, border->line);
+            add_faces_of(g, b, near);
+        }
+        for (int end = 0; end < 2; end++)
+            if (border->level == (end ? a->high : a->low) && border->line != g->border[a->border[end]].line)
+                alone[end] = false;
+    }
+    for (int end = 0; end < 2; end++)
+        if (alone[end])
+            suspect_line(s, g->border[a->border[end]].line);
+}
+
 static size_t count_borders(il_bands_graph *g, uint32_t face)
 {
     size_t n = 0;
@@ -207,34 +86,50 @@ static size_t count_borders(il_bands_graph *g, uint32_t face)
     return n;
 }
 
-/* From both sides of B through faces of one level to those that say where these lie. */
-static void find_suspects(il_blamer *m, uint32_t b, suspects *s)
+/* From both sides of B, and those beside them, through lines that go wrong, and through faces
+ * of one level to those that say where these lie. */
+static void find_suspects(il_bands_graph *g, uint32_t b, suspects *s)
 {
-    il_bands_graph *g = m->graph;
     faces near = { { 0 }, 0 };
-    suspect(s, g->border[b].line);
-    add_face(&near, il_bands_graph_leader(g, b, 0));
-    add_face(&near, il_bands_graph_leader(g, b, 1));
+    suspect_line(s, g->border[b].line);
+    add_faces_of(g, b, &near);
     for (size_t i = 0; i < near.n; i++) {
         uint32_t face = near.face[i], beside;
-        suspect_around(m, face, s);
-        if (g->around[face].kinds != 1 || count_borders(g, face) > FEW_BORDERS)
+        bool is_single = il_around_is_single(&g->around[face]);
+        suspect_wide(g, face, g->border[b].level, s);
+        suspect_around(g, face, s, &near);
+        if ((i >= 2 && !is_single) || count_borders(g, face) > FEW_BORDERS)
             continue;
         for (il_round r = il_round_begin(g, face); il_round_next(&r, &beside);) {
-            suspect(s, g->border[beside].line);
-            add_face(&near, il_bands_graph_leader(g, beside, 0));
-            add_face(&near, il_bands_graph_leader(g, beside, 1));
+            if (is_single)
+                suspect_line(s, g->border[beside].line);
+            add_faces_of(g, beside, &near);
         }
     }
 }
 
-/* ---- the choice -------------------------------------------------------------------------- */
+/* ---- comparing ------------------------------------------------------------------------------ */
 
-static int compare(tally a, tally b)
+static int compare(il_tally a, il_tally b)
 {
     if (a.wrong != b.wrong)
         return a.wrong < b.wrong ? -1 : 1;
-    return (a.missing > b.missing) - (a.missing < b.missing);
+    if (a.missing != b.missing)
+        return a.missing < b.missing ? -1 : 1;
+    return (a.turns > b.turns) - (a.turns < b.turns);
+}
+
+/* Of S, tried with outcome T, only those stay that do best. */
+static void keep_best(suspects *s, const il_tally *t)
+{
+    size_t best = 0, n = 0;
+    for (size_t i = 1; i < s->n; i++)
+        if (compare(t[i], t[best]) < 0)
+            best = i;
+    for (size_t i = 0; i < s->n; i++)
+        if (compare(t[i], t[best]) == 0)
+            s->remedy[n++] = s->remedy[i];
+    s->n = n;
 }
 
 static double length_of(const il_bands_graph *g, uint32_t line)
@@ -245,9 +140,25 @@ static double length_of(const il_bands_graph *g, uint32_t line)
     return sum;
 }
 
-/* The lowest and highest level around FACE, LINE's not counted. */
+static bool is_better(const il_bands_graph *g, il_remedy a, il_remedy b)
+{
+    if (a.line == UINT32_MAX || b.line == UINT32_MAX)
+        return a.line != b.line ? a.line == UINT32_MAX : a.face < b.face || (a.face == b.face && a.wide < b.wide);
+    double length_a = length_of(g, a.line), length_b = length_of(g, b.line);
+    return length_a < length_b || (length_a == length_b && a.line < b.line);
+}
+
+/* ---- other levels ----------------------------------------------------------------------------- */
+
+/* The lowest and highest level around FACE, LINE's not counted: it is looked at anew only
+ * if LINE may be alone at an end. */
 static bool levels_beside(il_bands_graph *g, uint32_t face, uint32_t line, int32_t level[2])
 {
+    const il_around *a = &g->around[face];
+    level[0] = a->low;
+    level[1] = a->high;
+    if (g->border[a->border[0]].line != line && g->border[a->border[1]].line != line)
+        return true;
     uint32_t b;
     bool any = false;
     for (il_round r = il_round_begin(g, face); il_round_next(&r, &b);) {
@@ -261,66 +172,130 @@ static bool levels_beside(il_bands_graph *g, uint32_t face, uint32_t line, int32
     return any;
 }
 
-/* The least that is wrong when LINE has another level, one near those beside it. */
-static tally try_levels(il_blamer *m, uint32_t line)
+/* May a line of level TO bound a face whose others have from level[0] to level[1]? */
+static bool goes_beside(int32_t to, const int32_t level[2])
 {
-    il_bands_graph *g = m->graph;
+    if (level[1] <= level[0] + 1)
+        return to >= level[1] - 1 && to <= level[0] + 1;
+    return to >= level[0] && to <= level[1] && (to <= level[0] + 1 || to >= level[1] - 1);
+}
+
+/* The best that comes of giving LINE another level, one that may be between those on both
+ * sides; of keeping its own when there is nothing better. */
+static il_tally try_levels(il_trier *t, uint32_t line)
+{
+    il_bands_graph *g = t->graph;
     uint32_t first = g->first_of_line[line];
-    int32_t given = g->border[first].level, level[2] = { 0, 0 };
-    tally best = { 0, 0, 0 };
-    for (int side = 0; side < 2; side++) {
-        if (!levels_beside(g, il_bands_graph_leader(g, first, side), line, level))
+    int32_t given = g->border[first].level, level[2][2];
+    il_tally best = { 0, 0, 0, false };
+    size_t n = 0;
+    for (int side = 0; side < 2; side++)
+        n += levels_beside(g, il_bands_graph_leader(g, first, side), line, level[n]);
+    for (int32_t k = 0; n > 0 && k < 6; k++) {
+        int32_t to = level[0][k / 3] + k % 3 - 1;
+        bool was_tried = k >= 3 && to <= level[0][0] + 1;
+        if (to < 0 || to >= (int32_t)g->n_levels || to == given || was_tried || !goes_beside(to, level[0]) ||
+            !goes_beside(to, level[n - 1]))
             continue;
-        for (int k = 0; k < 6; k++) {
-            int32_t to = level[k / 3] + k % 3 - 1;
-            if (to < 0 || to >= (int32_t)g->n_levels || to == given)
-                continue;
-            tally t = try_level(m, line, to);
-            t.missing += t.many;
-            if (compare(t, best) < 0)
-                best = t;
+        il_tally tally = il_try_level(t, line, to);
+        if (compare(tally, best) < 0)
+            best = tally;
+    }
+    return best;
+}
+
+/* Suspects of which some change makes all around clean; what the best change brings. */
+typedef struct cleaners { suspects who; il_tally best; } cleaners;
+
+static void add_cleaner(cleaners *c, il_tally tally, il_remedy r)
+{
+    if (!tally.is_clean || (c->who.n > 0 && compare(tally, c->best) > 0))
+        return;
+    if (c->who.n == 0 || compare(tally, c->best) < 0)
+        *c = (cleaners){ .best = tally };
+    suspect(&c->who, r);
+}
+
+/* Those that need another level. */
+static cleaners find_wrong_heights(il_trier *t, const suspects *s)
+{
+    cleaners c = { .who = { .n = 0 } };
+    for (size_t i = 0; i < s->n && t->graph->work < t->graph->patience; i++)
+        if (s->remedy[i].line != UINT32_MAX)
+            add_cleaner(&c, try_levels(t, s->remedy[i].line), s->remedy[i]);
+    return c;
+}
+
+static bool goes_wrong(const il_bands_graph *g, uint32_t line)
+{
+    for (uint32_t b = g->first_of_line[line]; b < g->first_of_line[line + 1]; b++)
+        if (il_bands_graph_is_bad(g, b))
+            return true;
+    return false;
+}
+
+/* Those that go wrong and need to exchange levels with another that does. */
+static cleaners find_exchanged(il_trier *t, const suspects *s)
+{
+    cleaners c = { .who = { .n = 0 } };
+    suspects wrong = { .n = 0 };
+    for (size_t i = 0; i < s->n && wrong.n < EXCHANGED; i++)
+        if (s->remedy[i].line != UINT32_MAX && goes_wrong(t->graph, s->remedy[i].line))
+            suspect(&wrong, s->remedy[i]);
+    for (size_t i = 0; i < wrong.n; i++)
+        for (size_t k = i + 1; k < wrong.n && t->graph->work < t->graph->patience; k++) {
+            il_tally tally = il_try_exchange(t, wrong.remedy[i].line, wrong.remedy[k].line);
+            add_cleaner(&c, tally, wrong.remedy[i]);
+            add_cleaner(&c, tally, wrong.remedy[k]);
         }
-    }
+    return c;
+}
+
+/* A single line explains it better than two, unless these explain more. */
+static void keep_cleaners(il_trier *t, suspects *s)
+{
+    cleaners single = find_wrong_heights(t, s), pair = find_exchanged(t, s);
+    if (pair.who.n > 0 && (single.who.n == 0 || pair.best.wrong < single.best.wrong))
+        *s = pair.who;
+    else if (single.who.n > 0)
+        *s = single.who;
+}
+
+/* ---- the choice ----------------------------------------------------------------------------------- */
+
+/* A line that is left out counts like one that is missing. */
+static il_tally try_remedy(il_trier *t, il_remedy r)
+{
+    il_tally tally = r.line == UINT32_MAX ? il_try_wide(t, r.face, r.wide) : il_try_without(t, r.line);
+    tally.missing += r.line != UINT32_MAX;
+    tally.turns = 0;
+    return tally;
+}
+
+il_remedy il_blame(il_trier *t, uint32_t b)
+{
+    suspects s = { .n = 0 };
+    il_tally tally[SUSPECTS];
+    find_suspects(t->graph, b, &s);
+    keep_cleaners(t, &s);
+    if (t->graph->work >= t->graph->patience)
+        return (il_remedy){ t->graph->border[b].line, UINT32_MAX, 0 };
+    for (size_t i = 0; i < s.n; i++)
+        tally[i] = try_remedy(t, s.remedy[i]);
+    keep_best(&s, tally);
+    for (size_t i = 0; s.n > 1 && i < s.n; i++)
+        tally[i] = s.remedy[i].line == UINT32_MAX ? il_try_wide(t, s.remedy[i].face, s.remedy[i].wide)
+                                                  : try_levels(t, s.remedy[i].line);
+    if (s.n > 1)
+        keep_best(&s, tally);
+    il_remedy best = s.remedy[0];
+    for (size_t i = 1; i < s.n; i++)
+        if (is_better(t->graph, s.remedy[i], best))
+            best = s.remedy[i];
     return best;
 }
 
-/* The first N of S, from which all but those that do best are dropped. */
-static void keep_best(suspects *s, const tally *t)
-{
-    size_t best = 0, n = 0;
-    for (size_t i = 1; i < s->n; i++)
-        if (compare(t[i], t[best]) < 0)
-            best = i;
-    for (size_t i = 0; i < s->n; i++)
-        if (compare(t[i], t[best]) == 0)
-            s->line[n++] = s->line[i];
-    s->n = n;
-}
-
-uint32_t il_blame(il_blamer *m, uint32_t b)
-{
-    const il_bands_graph *g = m->graph;
-    suspects s = { { 0 }, 0 };
-    tally t[SUSPECTS];
-    find_suspects(m, b, &s);
-    for (size_t i = 0; s.n > 1 && i < s.n; i++)
-        t[i] = try_without(m, s.line[i]);
-    if (s.n > 1)
-        keep_best(&s, t);
-    for (size_t i = 0; s.n > 1 && i < s.n; i++)
-        t[i] = try_levels(m, s.line[i]);
-    if (s.n > 1)
-        keep_best(&s, t);
-    uint32_t best = s.line[0];
-    for (size_t i = 1; i < s.n; i++) {
-        double a = length_of(g, s.line[i]), least = length_of(g, best);
-        if (a < least || (a == least && s.line[i] < best))
-            best = s.line[i];
-    }
-    return best;
-}
-
-/* ---- the report ------------------------------------------------------------------------- */
+/* ---- the report ----------------------------------------------------------------------------------- */
 
 /* The longer of two borders; UINT32_MAX is none. */
 static uint32_t longer(const il_bands_graph *g, uint32_t a, uint32_t b)
@@ -341,7 +316,7 @@ static uint32_t witness(il_bands_graph *g, uint32_t face, int32_t level, bool is
         if (g->border[b].level != level && il_bands_graph_is_bad(g, b))
             best = longer(g, best, b);
     *is_wrong = best != UINT32_MAX;
-    if (best == UINT32_MAX && g->around[face].kinds > 1) {
+    if (best == UINT32_MAX && !il_around_is_single(&g->around[face])) {
         const il_around *a = &g->around[face];
         int end = is_below ? a->low == level : a->high != level;
         best = a->border[end];
@@ -361,16 +336,15 @@ static uint32_t worst_border(const il_bands_graph *g, uint32_t line)
     return best != UINT32_MAX ? best : any;
 }
 
-il_discord il_blame_discord(il_blamer *m, uint32_t line)
+il_discord il_blame_discord(il_bands_graph *g, uint32_t line)
 {
-    il_bands_graph *g = m->graph;
     uint32_t b = worst_border(g, line), found = UINT32_MAX;
     const il_border *border = &g->border[b];
     uint32_t face[2] = { il_bands_graph_leader(g, b, 0), il_bands_graph_leader(g, b, 1) };
     il_discord d = { IL_DISCORD_SIDES, { line, UINT32_MAX }, { border->at[0], border->at[1] }, false };
     if (face[0] == face[1])
         return d;
-    int teller = g->around[face[0]].kinds < 2; /* a face of more levels tells, one of a single level is told */
+    int teller = il_around_is_single(&g->around[face[0]]); /* a face of more levels tells, one of a single level is told */
     il_lie lie = il_bands_graph_lie(g, face[teller], border->level);
     d.is_below = (lie == IL_LIE_FREE ? il_bands_graph_lie(g, face[!teller], border->level) : lie) == IL_LIE_BELOW;
     bool is_wrong = false;
@@ -385,39 +359,4 @@ il_discord il_blame_discord(il_blamer *m, uint32_t line)
     if (found != UINT32_MAX)
         d.line[1] = g->border[found].line;
     return d;
-}
-
-/* ---- what goes wrong ----------------------------------------------------------------------- */
-
-static bool add_wrong(il_blamer *m, uint32_t b)
-{
-    if (!il_grow(&m->wrong, &m->cap_wrong, m->n_wrong + 1, sizeof *m->wrong))
-        return false;
-    m->wrong[m->n_wrong++] = b;
-    return true;
-}
-
-il_status il_blame_find_wrong(il_blamer *m, il_error *err)
-{
-    for (uint32_t b = 0; b < m->graph->n; b++)
-        if (il_bands_graph_is_bad(m->graph, b) && !add_wrong(m, b))
-            return il_fail_nomem(err);
-    return IL_OK;
-}
-
-il_status il_blame_take_out(il_blamer *m, uint32_t line, il_error *err)
-{
-    il_bands_graph *g = m->graph;
-    begin_with(m, line);
-    il_bands_graph_take_out(g, line, m->merger);
-    settle_again(m);
-    m->epoch++;
-    for (size_t i = 0; i < m->settler->n; i++) {
-        uint32_t b;
-        for (il_round r = il_round_begin(g, m->settler->face[i]); il_round_next(&r, &b);) {
-            if (is_fresh(m->stamp, b, m->epoch) && il_bands_graph_is_bad(g, b) && !add_wrong(m, b))
-                return il_fail_nomem(err);
-        }
-    }
-    return IL_OK;
 }

@@ -6,9 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of a hostile map, every second line of which is wrong, trials would take quadratic time: of
- * one with 10^6 borders these take about a second. */
-static const size_t PATIENCE_A_BORDER = 256, PATIENCE = 1000000;
+/* Of a hostile map, every second line of which is wrong, trials would take quadratic time.
+ * These are some seconds for 10^6 borders, and enough for some dozens of wrong lines in a sea
+ * with 10^4 islands. */
+static const size_t PATIENCE_A_BORDER = 64, PATIENCE = 50000000;
 
 static int by_size(double a, double b)
 {
@@ -183,7 +184,7 @@ static void see(const il_bands_graph *g, il_around *a, bool *more, uint32_t b)
 {
     int32_t level = g->border[b].level;
     if (a->kinds == 0) {
-        *a = (il_around){ level, level, 1, { b, b } };
+        *a = (il_around){ level, level, 1, 0, { b, b } };
         return;
     }
     bool is_two = a->low != a->high;
@@ -203,7 +204,7 @@ static void see(const il_bands_graph *g, il_around *a, bool *more, uint32_t b)
 
 void il_bands_graph_look_around(il_bands_graph *g, uint32_t face)
 {
-    il_around a = { 0, 0, 0, { UINT32_MAX, UINT32_MAX } };
+    il_around a = { 0, 0, 0, 0, { UINT32_MAX, UINT32_MAX } };
     bool more = false;
     uint32_t b;
     for (il_round r = il_round_begin(g, face); il_round_next(&r, &b);)
@@ -223,9 +224,10 @@ void il_bands_graph_look_all_around(il_bands_graph *g)
 il_lie il_bands_graph_lie(const il_bands_graph *g, uint32_t leader, int32_t level)
 {
     const il_around *a = &g->around[leader];
-    if (a->kinds == 1)
+    if (il_around_is_single(a))
         return g->lie[leader];
-    return level == a->low ? IL_LIE_ABOVE : level == a->high ? IL_LIE_BELOW : IL_LIE_FREE;
+    const il_band band = il_around_band(a, g->n_levels);
+    return level == band.low ? IL_LIE_ABOVE : level == band.high ? IL_LIE_BELOW : IL_LIE_FREE;
 }
 
 il_lie il_bands_graph_directed_lie(const il_bands_graph *g, int side)
@@ -244,7 +246,7 @@ bool il_bands_graph_is_bad(const il_bands_graph *g, uint32_t b)
     bool directed = false;
     for (int side = 0; side < 2; side++) {
         lie[side] = il_bands_graph_lie(g, face[side], g->border[b].level);
-        directed |= g->around[face[side]].kinds == 1 && g->directed[face[side]];
+        directed |= il_around_is_single(&g->around[face[side]]) && g->directed[face[side]];
     }
     if (directed)
         for (int side = 0; side < 2; side++)

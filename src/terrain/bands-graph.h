@@ -12,8 +12,10 @@
 typedef enum il_lie { IL_LIE_BELOW, IL_LIE_ABOVE, IL_LIE_FREE } il_lie;
 
 /* The levels on a face's border: lowest and highest, how many kinds (0, 1, 2, or 3 for more),
- * and the longest border of the lowest and of the highest. */
-typedef struct il_around { int32_t low, high; int kinds; uint32_t border[2]; } il_around;
+ * and the longest border of the lowest and of the highest.  wide: the face goes on below the
+ * lowest (1), above the highest (2), for a line of that level is missing in it. */
+enum { IL_WIDE_LOW = 1, IL_WIDE_HIGH = 2 };
+typedef struct il_around { int32_t low, high; int kinds, wide; uint32_t border[2]; } il_around;
 
 /* Faces that a line joined: ABSORBED speaks for itself no more. */
 typedef struct il_merger { uint32_t keep, absorbed; } il_merger;
@@ -47,7 +49,7 @@ size_t il_bands_graph_take_out(il_bands_graph *g, uint32_t line, il_merger *merg
 /* The same undone, of the line that went out last. */
 void il_bands_graph_put_back(il_bands_graph *g, uint32_t line, const il_merger *merger, size_t n);
 
-/* Set around[FACE], a leader: O(its borders). */
+/* Set around[FACE], a leader, not wide: O(its borders). */
 void il_bands_graph_look_around(il_bands_graph *g, uint32_t face);
 void il_bands_graph_look_all_around(il_bands_graph *g); /* of every leader */
 
@@ -60,10 +62,24 @@ il_lie il_bands_graph_directed_lie(const il_bands_graph *g, int side);
 /* Is something wrong with border B: does it not go from one side of its level to the other? */
 bool il_bands_graph_is_bad(const il_bands_graph *g, uint32_t b);
 
+/* Does the face lie on one side of a single level? */
+static inline bool il_around_is_single(const il_around *a)
+{
+    return a->kinds == 1 && a->wide == 0;
+}
+
+/* The band of a face that is not single; a face without lines may have any height. */
+static inline il_band il_around_band(const il_around *a, size_t n_levels)
+{
+    if (a->kinds == 0)
+        return (il_band){ -1, (int32_t)n_levels };
+    return (il_band){ a->low - (a->wide & 1), a->high + (a->wide >> 1) };
+}
+
 /* How many levels run through a face and are not there. */
 static inline long il_around_missing(const il_around *a)
 {
-    return a->kinds < 2 ? 0 : a->high - a->low - 1;
+    return a->kinds == 0 || il_around_is_single(a) ? 0 : a->high - a->low - 1 + (a->wide & 1) + (a->wide >> 1);
 }
 
 static inline uint32_t il_bands_graph_leader(const il_bands_graph *g, uint32_t b, int side)

@@ -88,7 +88,7 @@ static void gather(il_settler *s, uint32_t root, size_t *guides, size_t *free)
         for (il_round r = il_round_begin(g, s->face[i]); il_round_next(&r, &b);) {
             int side;
             uint32_t other = beyond(g, b, s->face[i], &side);
-            if (g->around[other].kinds > 1)
+            if (!il_around_is_single(&g->around[other]))
                 ++*(il_bands_graph_lie(g, other, g->border[b].level) == IL_LIE_FREE ? free : guides);
             else if (s->seen[other] != s->epoch)
                 enter(s, other, b);
@@ -104,7 +104,7 @@ static void heed_guides(il_settler *s, uint32_t face, bool directed)
     for (il_round r = il_round_begin(g, face); il_round_next(&r, &b);) {
         int side;
         uint32_t other = beyond(g, b, face, &side);
-        if (g->around[other].kinds < 2)
+        if (il_around_is_single(&g->around[other]))
             continue;
         il_lie lie = il_bands_graph_lie(g, other, g->border[b].level);
         for (il_lie mine = IL_LIE_BELOW; mine <= IL_LIE_ABOVE; mine++)
@@ -172,7 +172,7 @@ void il_settle_from(il_settler *s, uint32_t face)
     il_bands_graph *g = s->graph;
     if (s->seen[face] == s->epoch)
         return;
-    if (g->around[face].kinds == 1) {
+    if (il_around_is_single(&g->around[face])) {
         settle_cluster(s, face);
         return;
     }
@@ -181,7 +181,7 @@ void il_settle_from(il_settler *s, uint32_t face)
     for (il_round r = il_round_begin(g, face); il_round_next(&r, &b);) {
         int side;
         uint32_t other = beyond(g, b, face, &side);
-        if (g->around[other].kinds == 1 && s->seen[other] != s->epoch)
+        if (il_around_is_single(&g->around[other]) && s->seen[other] != s->epoch)
             settle_cluster(s, other);
     }
 }

@@ -12,7 +12,7 @@ enum { ROUNDS = 16 };
 typedef struct labelling {
     il_bands_graph graph;
     il_settler settler;
-    il_blamer blamer;
+    il_trier trier;
     il_bands *out;
 } labelling;
 
@@ -43,7 +43,7 @@ static il_status leave_out_loose_ends(labelling *l, il_error *err)
         const il_border *border = &g->border[b];
         if (border->face[0] != border->face[1] || g->out[border->line])
             continue;
-        il_bands_graph_take_out(g, border->line, l->blamer.merger);
+        il_bands_graph_take_out(g, border->line, l->trier.merger);
         const il_discord d = { IL_DISCORD_SIDES, { border->line, UINT32_MAX }, { border->at[0], border->at[1] }, false };
         st = add_discord(l->out, d, err);
     }
@@ -64,7 +64,7 @@ static il_status settle_all(labelling *l, il_error *err)
     il_bands_graph_look_all_around(g);
     il_settle_begin(&l->settler);
     for (uint32_t f = 0; f < g->n_faces; f++)
-        if (g->leader[f] == f && g->around[f].kinds == 1)
+        if (g->leader[f] == f && il_around_is_single(&g->around[f]))
             il_settle_from(&l->settler, f);
     return demand_guide(l, err);
 }
@@ -79,11 +79,11 @@ static il_status leave_out_wrong(labelling *l, bool *any, il_error *err)
     for (uint32_t b = 0; st == IL_OK && b < g->n; b++)
         if (g->border[b].line != last && il_bands_graph_is_bad(g, b)) {
             last = g->border[b].line;
-            st = add_discord(l->out, il_blame_discord(&l->blamer, last), err);
+            st = add_discord(l->out, il_blame_discord(g, last), err);
         }
     *any = l->out->n_discords > before;
     for (size_t i = before; st == IL_OK && i < l->out->n_discords; i++)
-        il_bands_graph_take_out(g, l->out->discord[i].line[0], l->blamer.merger);
+        il_bands_graph_take_out(g, l->out->discord[i].line[0], l->trier.merger);
     return st != IL_OK || !*any ? st : settle_all(l, err);
 }
 
@@ -98,23 +98,26 @@ static il_status leave_out_in_rounds(labelling *l, il_error *err)
     return st;
 }
 
-static il_status leave_out_culprits(labelling *l, il_error *err)
+static il_status remedy(labelling *l, uint32_t b, il_error *err)
+{
+    il_trier *t = &l->trier;
+    il_remedy r = il_blame(t, b);
+    if (r.line == UINT32_MAX)
+        return il_trier_widen(t, r.face, r.wide, err);
+    il_status st = add_discord(l->out, il_blame_discord(&l->graph, r.line), err);
+    if (st == IL_OK)
+        st = il_trier_take_out(t, r.line, err);
+    return st == IL_OK ? demand_guide(l, err) : st;
+}
+
+static il_status remedy_all(labelling *l, il_error *err)
 {
     il_bands_graph *g = &l->graph;
-    il_blamer *m = &l->blamer;
-    il_status st = il_blame_find_wrong(m, err);
-    for (size_t i = 0; st == IL_OK && i < m->n_wrong; i++) {
-        while (st == IL_OK && g->work < g->patience && il_bands_graph_is_bad(g, m->wrong[i])) {
-            uint32_t line = il_blame(m, m->wrong[i]);
-            st = add_discord(l->out, il_blame_discord(m, line), err);
-            if (st == IL_OK)
-                st = il_blame_take_out(m, line, err);
-            if (st == IL_OK)
-                st = demand_guide(l, err);
-        }
-        if (g->work >= g->patience)
-            break;
-    }
+    il_trier *t = &l->trier;
+    il_status st = il_trier_find_wrong(t, err);
+    for (size_t i = 0; st == IL_OK && i < t->n_wrong && g->work < g->patience; i++)
+        while (st == IL_OK && g->work < g->patience && il_bands_graph_is_bad(g, t->wrong[i]))
+            st = remedy(l, t->wrong[i], err);
     return st == IL_OK && g->work >= g->patience ? leave_out_in_rounds(l, err) : st;
 }
 
@@ -123,10 +126,8 @@ static il_status leave_out_culprits(labelling *l, il_error *err)
 static il_band band_of(const il_bands_graph *g, uint32_t leader)
 {
     const il_around *a = &g->around[leader];
-    if (a->kinds == 0)
-        return (il_band){ -1, (int32_t)g->n_levels };
-    if (a->kinds > 1)
-        return (il_band){ a->low, a->high };
+    if (!il_around_is_single(a))
+        return il_around_band(a, g->n_levels);
     return g->lie[leader] == IL_LIE_ABOVE ? (il_band){ a->low, a->low + 1 } : (il_band){ a->low - 1, a->low };
 }
 
@@ -222,7 +223,7 @@ static il_status label(labelling *l, il_error *err)
     if (st == IL_OK)
         st = settle_all(l, err);
     if (st == IL_OK)
-        st = leave_out_culprits(l, err);
+        st = remedy_all(l, err);
     return st == IL_OK ? tell(l, err) : st;
 }
 
@@ -239,10 +240,10 @@ il_status il_bands_label(il_bands *out, const il_border *border, size_t n, size_
     if (st == IL_OK)
         st = il_settler_make(&l.settler, &l.graph, err);
     if (st == IL_OK)
-        st = il_blamer_make(&l.blamer, &l.graph, &l.settler, err);
+        st = il_trier_make(&l.trier, &l.graph, &l.settler, err);
     if (st == IL_OK)
         st = label(&l, err);
-    il_blamer_free(&l.blamer);
+    il_trier_free(&l.trier);
     il_settler_free(&l.settler);
     il_bands_graph_free(&l.graph);
     if (st != IL_OK)

@@ -20,15 +20,18 @@ typedef struct il_border {
     double length, at[2];
 } il_border;
 
-/* The levels next below and above a face: -1 below all, N_LEVELS above all.  More than
- * one apart: the lines between are missing (terrain/missing.h). */
+/* The levels next below and above a face: -1 below all, N_LEVELS above all, both for a face
+ * without lines.  More than one apart: the lines between are missing (terrain/missing.h).
+ * Lines of a level strictly between may bound it all the same: parts of that level are there
+ * (a sea that six islands rise from and, without its lowest line, a seventh). */
 typedef struct il_band { int32_t low, high; } il_band;
 
 /* What does not go together.  SIDES: both sides of line[0] lie on the same side of it
  * (below it if is_below), as line[1], of another level on one of its faces, has it: left
- * out.  MISSING: line[0] and line[1] bound one face and are more than a level apart.
- * MANY: a third level, that of line[1], bounds a face between line[0]'s and another.
- * AT: a place of line[0].  line[1]: UINT32_MAX when no other is to blame. */
+ * out.  MISSING: a line is missing between line[0] and line[1], which bound one face.
+ * MANY: a third level, that of line[1], bounds a face between line[0]'s and another (that
+ * face has a MISSING as well).  AT: a place of line[0].  line[1]: UINT32_MAX when no other
+ * is to blame, as for a line that ends inside the map. */
 typedef enum il_discord_kind { IL_DISCORD_SIDES, IL_DISCORD_MISSING, IL_DISCORD_MANY } il_discord_kind;
 typedef struct il_discord {
     il_discord_kind kind;
@@ -52,9 +55,10 @@ void il_bands_free(il_bands *b); /* safe twice */
 /* Label N_FACES faces by border[n]; lines count from 0 to n_lines - 1, levels to n_levels - 1.
  * HIGH: the side of higher ground, which decides where all lines are of one level only;
  * else the lines' own directions are no guide.  Lines of a single level without HIGH:
- * IL_E_INPUT.  Where lines contradict one another, those are left out that leave the
- * fewest contradictions; equal ones go by length, the shorter first, then by number.  Does
- * not depend on the order of the borders.  O(n log n) but for contradictions. */
+ * IL_E_INPUT.  Where lines contradict one another, those are left out, or lines taken for
+ * missing, that leave the fewest contradictions (bands-blame.h).  Does not depend on the order
+ * of the borders.  O(n log n) but for contradictions, which have a limit: beyond it all that
+ * goes wrong is left out without trials, and IL_E_INPUT if that does not help. */
 il_status il_bands_label(il_bands *out, const il_border *border, size_t n, size_t n_faces, size_t n_lines,
                          size_t n_levels, il_side high, il_error *err);
 

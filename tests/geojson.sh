@@ -38,9 +38,9 @@ sed -n 1p "$samples/valid/v_one_a_line.geojsonl" >low.geojson
 sed -n 2p "$samples/valid/v_one_a_line.geojsonl" >high.geojson
 "$ISOLOFT" read -q high.geojson low.geojson >two.loft
 same "two files are one map" two.loft "$expected"
-exits 0 "what is passed over is told" "$ISOLOFT" read "$samples/valid/v_points.geojson"
-holds "with its line" grep -q 'v_points.geojson:4: point: a point by itself is no isoline (3 times)' err
-exits 3 "and fails with --strict" "$ISOLOFT" read --strict "$samples/valid/v_points.geojson"
+exits 0 "what is passed over is told" "$ISOLOFT" read "$samples/valid/v_points_without_heights.geojson"
+holds "with its line" grep -q 'v_points_without_heights.geojson:4: point: a point by itself is no isoline (3 times)' err
+exits 3 "and fails with --strict" "$ISOLOFT" read --strict "$samples/valid/v_points_without_heights.geojson"
 exits 3 "home-made JSON is refused" "$ISOLOFT" "$samples/invalid/x_home_made.geojson"
 holds "in one line" one_error
 

@@ -2,7 +2,8 @@
 #
 #     relief metres | map_as geojson >map.geojson
 #
-# Between the two stands a line an isoline: its height and its points, H X,Y X,Y ...
+# Between the two stands a line an isoline: its height and its points, H X,Y X,Y ...; with
+# a single point it is a spot height, for forms that have points by themselves.
 # Coordinates have few decimals, so that every format says the same numbers.
 
 # A hill with two tops, a pit, and slopes that the frame cuts: closed lines and open ones,
@@ -42,6 +43,16 @@ relief() {
     }'
 }
 
+# Spot heights in that relief, one of them on a vertex.
+summits() {
+    awk -v unit="$1" 'BEGIN {
+        if (unit == "degrees")
+            print "154.5 7.1125,50.208\n96 7.1000001,50.2\n140.25 7.115,50.2095\n151.5 7.1158,50.209"
+        else
+            print "154.5 431900,5561000\n96 431000.5,5561000.125\n140.25 432000,5562000\n151.5 432140,5562000"
+    }'
+}
+
 # Isolines on standard input as a map of that FORM.  UNIT: of what coordinates are.
 map_as() { # FORM UNIT
     awk -v form="$1" -v unit="$2" '
@@ -62,8 +73,9 @@ map_as() { # FORM UNIT
     function comma(number) { sub(/\./, ",", number); return number }
     function is_closed() { return n > 2 && x[1] == x[n] && y[1] == y[n] }
     function feature(height, z) {
-        return "{\"type\":\"Feature\",\"properties\":{" height "},\"geometry\":{\"type\":\"LineString\",\"coordinates\":[" \
-            points("[", ",", z "]", ",") "]}}"
+        return "{\"type\":\"Feature\",\"properties\":{" height "},\"geometry\":{\"type\":" \
+            (n > 1 ? "\"LineString\",\"coordinates\":[" points("[", ",", z "]", ",") "]" : \
+                     "\"Point\",\"coordinates\":" points("[", ",", z "]", ",")) "}}"
     }
     function group(code, value) { return code "\n" value "\n" }
     function polyline(h,    k, text) {
@@ -102,6 +114,10 @@ map_as() { # FORM UNIT
         sub(/^[^ ]* /, "")
         split_points($0)
     }
+    form == "loft" && n == 1 {
+        spots = spots points("spot ", " ", " " h "\n", "")
+        next
+    }
     form == "loft" {
         if (!(h in lines))
             height[++n_heights] = h
@@ -115,11 +131,15 @@ map_as() { # FORM UNIT
     form == "gmt" { printf "> -Z%s\n%s", h, points("", " ", "\n", "") }
     form == "gmt-z" { printf ">\n%s", points("", "\t", "\t" h "\n", "") }
     form == "gmt-ogr" { printf ">\n# @D%d|%s\n%s", NR, h, points("", " ", "\n", "") }
-    form == "csv-wkt" { print "\"LINESTRING (" points("", " ", "", ",") ")\"," NR "," h }
+    form == "csv-wkt" { print "\"" (n > 1 ? "LINESTRING (" : "POINT (") points("", " ", "", ",") ")\"," NR "," h }
     form == "csv-xyz" { rows(h, ",", 0) }
     form == "csv-comma" { rows(h, ";", 1) }
     form == "bln" { printf "%d,1,\"%s\"\n%s", n, h, points("", ",", "\n", "") }
     form == "bln-z" { printf "%d,1\n%s", n, points("", ",", "," h "\n", "") }
+    form ~ /^dxf/ && n == 1 {
+        printf "%s%s", group(0, "POINT") group(8, "SUMMITS"), points("10\n", "\n20\n", "\n30\n" h "\n", "")
+        next
+    }
     form == "dxf" {
         printf "%s%s", group(0, "LWPOLYLINE") group(8, "CONTOURS") group(90, n) group(70, 0) group(38, h ".0"),
             points("10\n", "\n20\n", "\n", "")
@@ -127,9 +147,17 @@ map_as() { # FORM UNIT
     form == "dxf-polyline" { printf "%s", polyline(h) }
     form == "kml" {
         print "<Placemark><name>line " NR "</name><ExtendedData><Data name=\"elev\"><value>" h "</value></Data></ExtendedData>"
-        print "<LineString><coordinates>" points("", ",", "", " ") "</coordinates></LineString></Placemark>"
+        element = n > 1 ? "LineString" : "Point"
+        print "<" element "><coordinates>" points("", ",", "", " ") "</coordinates></" element "></Placemark>"
     }
-    form == "kml-z" { print "<Placemark><LineString><coordinates>\n" points("", ",", "," h, "\n") "</coordinates></LineString></Placemark>" }
+    form == "kml-z" {
+        element = n > 1 ? "LineString" : "Point"
+        print "<Placemark><" element "><coordinates>\n" points("", ",", "," h, "\n") "</coordinates></" element "></Placemark>"
+    }
+    form ~ /^gpx/ && n == 1 {
+        print "<wpt lat=\"" y[1] "\" lon=\"" x[1] "\"><ele>" h "</ele></wpt>"
+        next
+    }
     form == "gpx" {
         print "<trk><name>" h " m</name><trkseg>"
         for (k = 1; k <= n; k++)
@@ -144,7 +172,7 @@ map_as() { # FORM UNIT
     }
     END {
         if (form == "loft") {
-            print "isoloft 1\nunit " (unit == "degrees" ? "deg" : "m") "\nstack \"\"\nkind terrain"
+            printf "isoloft 1\nunit %s\nstack \"\"\nkind terrain\n%s", unit == "degrees" ? "deg" : "m", spots
             for (; n_heights > 0; n_heights--) {
                 least = 1
                 for (k = 2; k <= n_heights; k++)

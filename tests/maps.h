@@ -38,7 +38,7 @@ static inline il_status map_on_slice(il_sink *self, il_slice *s, il_error *err)
     for (size_t i = 0; i < s->n; i++) {
         assert_true(m->n < MAP_LINES);
         il_ring *to = &m->line[m->n];
-        *to = (il_ring){ .open = s->ring[i].open, .line = s->ring[i].line };
+        *to = (il_ring){ .open = s->ring[i].open, .line = s->ring[i].line, .feature = s->ring[i].feature };
         for (size_t k = 0; k < s->ring[i].n; k++)
             if (!il_ring_add(to, s->ring[i].xy[2 * k], s->ring[i].xy[2 * k + 1], 0))
                 return il_fail_nomem(err);

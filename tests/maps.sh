@@ -79,6 +79,44 @@ while read -r form reader units; do
     done
 done <forms
 
+# ---- with spot heights ----------------------------------------------------------------
+
+spot_forms="geojson geojson-z geojsonseq csv-wkt dxf dxf-polyline kml kml-z gpx gpx-z"
+for unit in metres degrees; do
+    { relief $unit; summits $unit; } >summits.lines
+    map_as loft $unit <summits.lines >summits.loft
+    native summits.loft >summits.native
+    holds "$unit: spot heights are in native text" test "$(grep -c '^spot ' summits.native)" -eq 4
+    native summits.native >got
+    same "$unit: and are read as they are" summits.native
+    native summits.native --to cm | sed 's/^unit.*//' >got
+    holds "$unit: and are converted" test "$unit" = degrees -o "$(grep -c '^spot .*00 15450$' got)" -eq 1
+    sed '/^spot /d' summits.native >got
+    same "$unit: lines are what they are without them" $unit.native
+    for form in $spot_forms; do
+        echo "$map_forms" | grep -q "^$form .* $unit" || continue
+        map_as $form $unit <summits.lines >"$form.map"
+        native "$form.map" --project none >got
+        same "$form in $unit, with spot heights: the same stream" summits.native
+        summits $unit | map_as $form $unit >points.map
+        map_as $form $unit <$unit.lines >"$form.map"
+        native points.map "$form.map" --project none >got
+        same "... in a file of their own" summits.native
+        exits 3 "... and those alone are refused" "$ISOLOFT" read points.map
+    done
+done
+{ relief degrees; summits degrees; } | map_as geojson degrees >summits.json
+{ summits degrees; relief degrees; } | map_as kml-z degrees >summits.kml
+native summits.kml >want
+native summits.json >got
+same "projected, with spot heights: the same stream" want
+native want >got
+same "and it is read as it is" want
+"$ISOLOFT" info --json summits.json >info.json 2>err
+holds "info --json counts them" grep -q '"spots":4,' info.json
+"$ISOLOFT" info summits.json >info.txt 2>err
+holds "and so does info" grep -q '^  spot heights 4$' info.txt
+
 # ---- by GDAL, in every format that it writes ----------------------------------------
 
 # Elevations over a square: two waves on a slope.
@@ -160,6 +198,21 @@ if command -v gdal_contour >/dev/null && command -v ogr2ogr >/dev/null; then
         holds "gdal_contour's polygons in $unit are read" test "$(grep -c '^slice' bands.native)" -ge 8
         all_by_gdal
     done
+    summits metres | map_as geojson metres >points.json
+    relief metres | map_as geojson metres >relief.json
+    native points.json relief.json >want
+    while read -r extension driver; do
+        for part in points relief; do
+            rm -f made.$part.*
+            ogr2ogr -a_srs None -f "$driver" made.$part.$extension $part.json 2>ogr.err
+        done
+        native made.points.$extension made.relief.$extension >got
+        same "spot heights by $driver, in a file of their own: the same stream" want
+    done <<'END'
+geojsonl GeoJSONSeq
+gmt OGR_GMT
+shp ESRI Shapefile
+END
     ogr2ogr -a_srs None -f GPKG made.gpkg lines.json 2>ogr.err
     ogr2ogr -f GeoJSONSeq /vsistdout/ made.gpkg 2>ogr.err | native - >got
     native lines.json >want

@@ -2,7 +2,7 @@
  *
  * The features come in a small language of words: "crs TEXT", "degrees", "unit U", "f" (a feature
  * begins), "a NAME VALUE", "p NAME VALUE" (a place), "line", "ring", "point" (a part begins)
- * with numbers x y behind it, or "line3" with x y z. */
+ * with numbers x y behind it, or "line3", "point3" with x y z. */
 #include "config.h"
 #include "base/number.h"
 #include "input/map-set.h"
@@ -84,8 +84,10 @@ static il_status command(script *w, il_map_set *set, const char *word, il_error 
     il_status st = IL_OK;
     if (strcmp(word, "line") == 0 || strcmp(word, "line3") == 0)
         return begin(w, set, IL_MAP_LINE, word[4] ? 3 : 2, err);
-    if (strcmp(word, "ring") == 0 || strcmp(word, "point") == 0)
-        return begin(w, set, *word == 'r' ? IL_MAP_RING : IL_MAP_POINT, 2, err);
+    if (strcmp(word, "ring") == 0)
+        return begin(w, set, IL_MAP_RING, 2, err);
+    if (strcmp(word, "point") == 0 || strcmp(word, "point3") == 0)
+        return begin(w, set, IL_MAP_POINT, word[5] ? 3 : 2, err);
     if (strcmp(word, "a") == 0 || strcmp(word, "p") == 0)
         return attribute(w, set, *word == 'p', err);
     if (strcmp(word, "crs") == 0) {
@@ -727,6 +729,158 @@ static void lines_know_their_file_and_feature(void **state)
     assert_string_equal(origins, " map:2 map:3"); /* borders, of the band above them */
 }
 
+/* ---- spot heights --------------------------------------------------------------------- */
+
+/* The spot heights of OUTPUT: "x y z; " each. */
+static const char *spots(const char *text)
+{
+    static char list[800];
+    *list = '\0';
+    for (const char *p = strstr(text, "spot "); p; p = strstr(p + 1, "spot "))
+        snprintf(list + strlen(list), sizeof list - strlen(list), "%.*s; ", (int)strcspn(p + 5, "\n"), p + 5);
+    return list;
+}
+
+/* COUNT points were skipped since WHY. */
+static void assert_points_skipped(size_t count, const char *why)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < report.n_skips; k++)
+        n += strcmp(report.skip[k].what, "point") == 0 && strcmp(report.skip[k].why, why) == 0 ? report.skip[k].count : 0;
+    assert_int_equal(n, count);
+}
+
+static void points_with_a_height_are_spot_heights(void **state)
+{
+    (void)state;
+    static const struct { const char *text, *spots; size_t n_skipped; } c[] = {
+        { TWO("a elev 10", "a elev 20") " f a elev 25 point 150 20 f a elev 26 point 120 30 point 120 20",
+          "120 20 26; 120 30 26; 150 20 25; ", 0 },
+        { "f a elev 25 point 150 20 " TWO("a elev 10", "a elev 20"), "150 20 25; ", 0 },
+        { TWO("a elev 10", "a elev 20") " f a elev 25 point3 150 20 99", "150 20 25; ", 0 }, /* where lines have it comes first */
+        { TWO("a elev 10", "a elev 20") " f a name x point3 150 20 12.5 f point3 150 21 0", "150 20 12.5; 150 21 0; ", 0 },
+        { TWO("a elev 10", "a elev 20") " f a name x point 150 20 f a elev x point 1 1", "", 2 },
+        { TWO("a elev 10", "a elev 20") " f a name label point3 150 20 0 point3 160 20 0", "", 2 }, /* as drawings have it */
+        { TWO("a elev 10", "a elev 20") " f a elev 0 point3 150 20 0", "150 20 0; ", 0 },
+        { TWO("p name 10", "p name 20") " f p name 30 point 150 20 f p name Summit point3 151 20 31", "150 20 30; 151 20 31; ", 0 },
+        { "f line3 100 0 10 200 0 10 f line3 100 50 20 200 50 20 f a elev 7 point3 150 20 12", "150 20 12; ", 0 },
+        { "f line3 100 0 10 200 0 10 f line3 100 50 20 200 50 20 f a elev 7 point 150 20", "", 1 },
+        { "f a min 0 a max 10 ring 0 0 5 0 5 9 0 9 f a min 10 a max 20 ring 5 0 9 0 9 9 5 9 f a min 20 a max 30 ring 9 0 12 0 12 9 9 9"
+          " f a min 3 a max 4 point 1 1 f point3 7 4 13", "7 4 13; ", 1 },
+        { TWO("a elev_ft 10", "a elev_ft 20") " f a elev_ft 100 point 150 20 f point3 151 20 100", "150 20 30.48; 151 20 100; ", 0 },
+        { TWO("a depth 5", "a depth 1") " f a depth 3 point 150 20 f point3 151 20 3", "150 20 -3; 151 20 3; ", 0 },
+        { "unit ft " TWO("a elev_m 3.048", "a elev_m 6.096") " f a elev_m 9.144 point -0 20 f point3 151 20 3", "0 20 30; 151 20 3; ", 0 },
+    };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
+        assert_string_equal(spots(read_map(c[k].text, NULL)), c[k].spots);
+        assert_points_skipped(c[k].n_skipped, "a point by itself is no isoline");
+        assert_int_equal(report.n_skipped, c[k].n_skipped);
+    }
+    read_map(c[0].text, NULL);
+    assert_noted("spot heights: 3");
+    assert_string_equal(run((const char *const[]){ TWO("a elev 10", "a elev 20"), "f a elev 5 point 1 1 f a elev 6 point 0 1", NULL },
+                            &defaults),
+                        "unit m\nstack \"\"\nkind terrain\nspot 0 1 6\nspot 1 1 5\nslice 10\nline\n100 0\n200 0\n"
+                        "slice 20\nline\n100 50\n200 50\n");
+}
+
+/* Whatever they say themselves. */
+static void points_do_not_choose_where_heights_stand(void **state)
+{
+    (void)state;
+    static const char *const points[] = {
+        "f a elev 5 point 1 1 f a elev 6 point 1 2 f a elev 7 point 1 3 f a elev 8 point 1 4 ",
+        "f point3 1 1 5 point3 1 2 6 point3 1 3 7 ",
+        "f a height_ft 5 a z 9 a contour '7 ft' point3 1 1 4 f a height_ft 6 a z 10 point3 1 2 3 ",
+    };
+    static const char *const lines[] = { TWO("a level 1", "a level 2"), TWO("p name 1", "p name 2"), TWO("a height 1", "a height 2"),
+        "f line3 100 0 1 200 0 1 f line3 100 50 2 200 50 2" };
+    for (size_t k = 0; k < sizeof points / sizeof *points; k++) {
+        for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+            char text[500];
+            snprintf(text, sizeof text, "%s%s", points[k], lines[i]);
+            assert_string_equal(heights(read_map(text, NULL)), " 1 2");
+        }
+        assert_contains(read_map(points[k], NULL), "has no lines and no polygons");
+    }
+    assert_contains(read_map("f a elev 5 point 1 1 f a elev 6 point 2 1 " TWO("", ""), NULL), "has no heights");
+    assert_contains(read_map("f point3 1 1 5 point3 2 1 6 " TWO("", ""), NULL), "has no heights");
+}
+
+static void points_do_not_say_what_coordinates_are(void **state)
+{
+    (void)state;
+    /* lines that look like degrees, a point that does not, and the other way round */
+    read_map("f a elev 100 line 8 50 9 50 f a elev 200 line 8 50.5 9 50.5 f a elev 150 point 431000 5561000", NULL);
+    assert_noted("numbers and relief are those of degrees");
+    assert_points_skipped(1, "is no longitude and latitude");
+    assert_contains(read_map("f a elev 100 line 8000 50 9000 50 f a elev 200 line 8000 90 9000 90 f a elev 150 point 8 50", NULL),
+                    "spot 8 50 150\n");
+}
+
+static void spot_heights_follow_the_projection(void **state)
+{
+    (void)state;
+    static const char lines[] = "crs EPSG:4326 f a elev 10 line 8 50 8.01 50 f a elev 20 line 8 50.01 8.01 50.01 ";
+    char text[300], x[40], y[40];
+    /* a spot on a vertex goes where that goes */
+    snprintf(text, sizeof text, "%s f a elev 12 point 8.01 50", lines);
+    read_map(text, NULL);
+    assert_int_equal(sscanf(spots(output), "%39s %39s", x, y), 2);
+    snprintf(text, sizeof text, "%s %s\n", x, y);
+    assert_contains(strstr(output, "slice 10"), text);
+    snprintf(text, sizeof text, "%s f a elev 12 point 8.01 50", lines);
+    il_read_options o = defaults;
+    o.map.project = IL_PROJECT_NONE;
+    assert_contains(read_map(text, &o), "unit deg\n");
+    assert_string_equal(spots(output), "8.01 50 12; ");
+    snprintf(text, sizeof text, "%s f a elev 12 point 368.01 50 f a elev 13 point -351 50", lines);
+    assert_string_equal(spots(read_map(text, &o)), "9 50 13; "); /* 368.01 is beyond what degrees run to */
+    assert_points_skipped(1, "is no longitude and latitude");
+    snprintf(text, sizeof text, "%s f a elev 12 point 50 50 f a elev 13 point 8 95 f a elev 14 point 9 50", lines);
+    read_map(text, NULL);
+    assert_points_skipped(1, "lies too far from the lines for their projection");
+    assert_points_skipped(1, "is no longitude and latitude");
+    assert_noted("spot heights: 1");
+}
+
+static void spot_heights_join_the_run_of_longitudes(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    o.map.project = IL_PROJECT_NONE;
+    read_map("degrees f a elev 10 line 179 50 -179 50 f a elev 20 line 179 51 -179 51 f a elev 30 point -179.5 50.5 point 179.5 50.5", &o);
+    const char *beyond = strstr(output, "181 50") ? "179.5 50.5 30; 180.5 50.5 30; " : "-180.5 50.5 30; -179.5 50.5 30; ";
+    assert_string_equal(spots(output), beyond);
+}
+
+static void points_at_one_place_must_agree(void **state)
+{
+    (void)state;
+    const char *const files[] = { "f a elev 12 point 5 5 f a elev 13 point 6 6 f a elev 14 point 7 7 " TWO("a elev 10", "a elev 20"),
+                                  "f a elev 12 point 5 5 f a elev 13.5 point 6 6 f a elev 13 point 6 6", NULL };
+    assert_string_equal(spots(run(files, &defaults)), "5 5 12; 7 7 14; ");
+    assert_points_skipped(3, "others at its place have another height");
+    assert_string_equal(report.skip[0].file, "map");
+    assert_noted("with the same height, count once: 1");
+    assert_string_equal(spots(read_map(TWO("a elev 10", "a elev 20") " f a elev 12 point 0 5 point -0 5", NULL)), "0 5 12; ");
+}
+
+static void too_many_points_are_refused_as_others(void **state)
+{
+    (void)state;
+    il_read_options o = defaults;
+    o.max_points = 6;
+    read_map(TWO("a elev 10", "a elev 20") " f a elev 12 point 5 5 point 6 5", &o);
+    assert_contains(output, "spot 5 5 12");
+    assert_contains(read_map(TWO("a elev 10", "a elev 20") " f a elev 12 point 5 5 point 6 5 point 7 5", &o), "more than 6 points");
+    o = defaults;
+    o.map.has_z_unit = true;
+    o.map.z_unit = IL_UNIT_KM;
+    assert_contains(read_map("unit um " TWO("a elev 1", "a elev 2") " f a elev 1000000 point 5 5", &o), "a height reaches 1e15");
+    assert_contains(read_map(TWO("a elev 10", "a elev 20") " f a elev 12 point 1e15 5", NULL), "a coordinate is not below 1e15");
+}
+
 /* ---- long edges ------------------------------------------------------------------- */
 
 static void long_edges_get_vertices_of_their_own(void **state)
@@ -790,6 +944,13 @@ int main(void)
         cmocka_unit_test(ends_beside_an_edge_stay),
         cmocka_unit_test(lines_within_edges_are_dropped),
         cmocka_unit_test(lines_know_their_file_and_feature),
+        cmocka_unit_test(points_with_a_height_are_spot_heights),
+        cmocka_unit_test(points_do_not_choose_where_heights_stand),
+        cmocka_unit_test(points_do_not_say_what_coordinates_are),
+        cmocka_unit_test(spot_heights_follow_the_projection),
+        cmocka_unit_test(spot_heights_join_the_run_of_longitudes),
+        cmocka_unit_test(points_at_one_place_must_agree),
+        cmocka_unit_test(too_many_points_are_refused_as_others),
         cmocka_unit_test(long_edges_get_vertices_of_their_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -168,6 +168,8 @@ static il_stack_head full_head(void)
     h.attribute[h.n_attributes++] = (il_attribute){ text("a"), text("1") };
     h.attribute[h.n_attributes++] = (il_attribute){ text("b"), text("") };
     assert_true(il_stack_head_set_files(&h, (const char *const[]){ "a.shp", "b\n.shp" }, 2));
+    assert_true(il_grow(&h.spot, &h.cap_spots, 1, sizeof *h.spot));
+    h.spot[h.n_spots++] = (il_spot){ .x = 1, .y = 2, .z = 3, .line = 4, .feature = 5, .file = 1 };
     assert_true(il_extra_add(&h.extra, "x-one 1", 7));
     assert_true(il_extra_add(&h.extra, "x-two 2", 7));
     return h;
@@ -189,6 +191,10 @@ static void assert_same_head(const il_stack_head *a, const il_stack_head *b)
     assert_int_equal(a->n_files, b->n_files);
     for (size_t i = 0; i < a->n_files; i++)
         assert_string_equal(a->file[i], b->file[i]);
+    assert_int_equal(a->n_spots, b->n_spots);
+    assert_ptr_not_equal(a->spot, b->spot);
+    for (size_t i = 0; i < a->n_spots; i++)
+        assert_true(a->spot[i].x == b->spot[i].x && a->spot[i].z == b->spot[i].z && a->spot[i].feature == b->spot[i].feature);
     const il_extra *x = a->extra, *y = b->extra;
     for (; x && y; x = x->next, y = y->next)
         assert_string_equal(x->text, y->text);
@@ -212,10 +218,10 @@ static void a_head_is_copied_whole_or_not_at_all(void **state)
         assert_int_equal(err.code, IL_E_NOMEM);
         assert_null(copy.name);
         assert_int_equal(copy.n_attributes, 0);
-        assert_int_equal(copy.n_files, 0);
+        assert_true(copy.n_files == 0 && copy.n_spots == 0);
         assert_true(k < 100);
     }
-    assert_true(k >= 14); /* name, crs, list, 4 texts, list, 2 names, 2 x- lines of 2 blocks */
+    assert_true(k >= 15); /* name, crs, list, 4 texts, list, 2 names, spots, 2 x- lines of 2 blocks */
     assert_same_head(&h, &copy);
     assert_string_equal(copy.file[1], "b\\x0a.shp");
     il_stack_head_free(&copy);

@@ -6,7 +6,8 @@
 
 
 /* Keeps what arrives last. */
-typedef struct keeper { il_sink sink; il_unit unit; double z, x, y, origin, usual, scale; bool has_crs, gap; } keeper;
+typedef struct keeper { il_sink sink; il_unit unit; double z, x, y, origin, usual, scale; bool has_crs, gap;
+                        size_t n_spots; il_spot spot[2]; } keeper;
 
 static il_status keep_begin(il_sink *s, const il_stack_head *h, il_error *err)
 {
@@ -17,6 +18,9 @@ static il_status keep_begin(il_sink *s, const il_stack_head *h, il_error *err)
     k->has_crs = h->crs != NULL;
     k->usual = h->usual_spacing;
     k->scale = h->length_scale;
+    k->n_spots = h->n_spots;
+    for (size_t i = 0; i < h->n_spots && i < 2; i++)
+        k->spot[i] = h->spot[i];
     return IL_OK;
 }
 
@@ -44,6 +48,8 @@ static il_status keep_end(il_sink *s, il_error *err)
     return IL_OK;
 }
 
+static double z_beside = 7; /* of a spot that is next to another in x */
+
 static il_status rescale(il_unit from, il_unit to, double z, double x, double y,
                          keeper *k, il_report *report, il_error *err)
 {
@@ -56,6 +62,9 @@ static il_status rescale(il_unit from, il_unit to, double z, double x, double y,
     head.frame[0] = x;
     head.usual_spacing = 3;
     head.crs = (char *)"EPSG:28992";
+    il_spot spots[] = { { .x = x, .y = y, .z = z }, { .x = nextafter(x, INFINITY), .y = y, .z = z_beside } };
+    head.spot = spots;
+    head.n_spots = 2;
     il_slice slice = IL_SLICE_INIT;
     slice.z = z;
     assert_true(il_ring_add(il_slice_add_ring(&slice), x, y, 0));
@@ -89,6 +98,30 @@ static void lengths_change_with_their_unit(void **state)
         assert_false(il_report_any(&report));
         il_report_free(&report);
     }
+}
+
+static void spot_heights_that_rounding_brings_together_must_agree(void **state)
+{
+    (void)state;
+    int n_apart = 0, n_met = 0;
+    for (double x = 1000.5; x < 1020; x++) {
+        keeper to;
+        il_report report = IL_REPORT_INIT;
+        il_error err = IL_ERROR_INIT;
+        z_beside = 7;
+        assert_int_equal(rescale(IL_UNIT_MM, IL_UNIT_M, 4, x, 2, &to, &report, &err), IL_OK);
+        assert_int_equal(report.n_skipped, 2 - to.n_spots);
+        assert_true(to.n_spots == 0 || (to.spot[0].x < to.spot[1].x && to.spot[0].z == 0.004 && to.spot[1].z == 0.007));
+        n_apart += to.n_spots == 2;
+        n_met += to.n_spots == 0;
+        z_beside = 4;
+        bool was_met = to.n_spots == 0;
+        assert_int_equal(rescale(IL_UNIT_MM, IL_UNIT_M, 4, x, 2, &to, NULL, &err), IL_OK);
+        assert_int_equal(to.n_spots, was_met ? 1 : 2);
+        assert_true(to.spot[0].x == x / 1000 && to.spot[0].y == 0.002 && to.spot[0].z == 0.004);
+        il_report_free(&report);
+    }
+    assert_true(n_apart > 0 && n_met > 0 && n_apart + n_met == 20);
 }
 
 static void the_same_unit_touches_nothing(void **state)
@@ -138,6 +171,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lengths_change_with_their_unit),
+        cmocka_unit_test(spot_heights_that_rounding_brings_together_must_agree),
         cmocka_unit_test(the_same_unit_touches_nothing),
         cmocka_unit_test(exact_conversions_are_known_to_be_exact),
         cmocka_unit_test(degrees_and_overflow_are_refused),

@@ -34,8 +34,10 @@ def point(x, y, z=None):
     return struct.pack('<i2d', POINT, x, y) if z is None else struct.pack('<i4d', POINT + Z, x, y, z, 0)
 
 
-def multipoint(points):
-    return struct.pack('<i', MULTIPOINT) + box(points) + struct.pack('<i', len(points)) + b''.join(doubles(p) for p in points)
+def multipoint(points, z=()):
+    kind = MULTIPOINT + Z if z else MULTIPOINT
+    heights = doubles([min(z), max(z), *z]) if z else b''
+    return struct.pack('<i', kind) + box(points) + struct.pack('<i', len(points)) + b''.join(doubles(p) for p in points) + heights
 
 
 def parts(kind, *lists, z=None, m=None, starts=None, n_parts=None, n_points=None):
@@ -128,6 +130,10 @@ def valid():
     write('v_polygon_not_closed', shp=shp(parts(POLYGON, OUTER[:4]), parts(POLYGON, INNER[:4]), kind=POLYGON), dbf=TABLE)
     write('v_points', shp=shp(LOW, point(1, 2), point(1, 2, 3), multipoint([(5, 6), (7, 8)]), HIGH),
           dbf=elev(b'100', b'5', b'5', b'5', b'110'))
+    write('v_points_z', shp=shp(LOW_Z, point(40, 200, 104), multipoint([(200, 200), (210, 200)], [118.5, 119]), point(5, 6), HIGH_Z,
+                                kind=LINE + Z))
+    write('v_points_z_0', shp=shp(LOW, point(40, 200, 0), multipoint([(200, 200), (210, 200)], [0, 0]), HIGH),
+          dbf=elev(b'100', b'', b'', b'110'))
     write('v_multipatch', shp=shp(LOW, struct.pack('<i', MULTIPATCH), HIGH), dbf=elev(b'100', b'5', b'110'))
     write('v_null_shape', shp=shp(LOW, null(), HIGH), dbf=elev(b'100', b'5', b'110'))
     write('v_no_points', shp=shp(LOW, line(), HIGH), dbf=elev(b'100', b'5', b'110'))

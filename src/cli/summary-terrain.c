@@ -95,6 +95,8 @@ void il_summary_terrain_rows(const il_stack_account *s, il_output *out)
     il_table_row(out, "lines", "%zu: %zu open, %zu closed", sum.open + sum.closed, sum.open, sum.closed);
     end_row(out, &s->terrain);
     il_table_row(out, "points", "%zu", sum.points);
+    if (s->terrain.n_spots > 0)
+        il_table_row(out, "spot heights", "%zu", s->terrain.n_spots);
     extent_row(out, s);
     degrees_row(out, &s->terrain);
     measure_rows(out, s, &sum);
@@ -239,6 +241,7 @@ void il_summary_terrain_json(const il_stack_account *s, il_json *j)
     put_count(j, "open", sum.open);
     put_count(j, "closed", sum.closed);
     put_count(j, "ends_inside", t->n_inside);
+    put_count(j, "spots", t->n_spots);
     il_json_key(j, "measured_on");
     il_json_string(j, t->on_ellipsoid ? "ellipsoid" : t->has_measures ? "plane" : NULL);
     put_number(j, "length", sum.length, t->has_measures);

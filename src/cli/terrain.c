@@ -16,7 +16,8 @@ static const double EDGE = 0.02;
 
 il_status il_terrain_begin(il_terrain *t, const il_stack_head *head, il_error *err)
 {
-    *t = (il_terrain){ .hull = IL_HULL_INIT, .has_geographic = head->has_geographic, .has_measures = head->unit != IL_UNIT_DEG };
+    *t = (il_terrain){ .hull = IL_HULL_INIT, .has_geographic = head->has_geographic, .has_measures = head->unit != IL_UNIT_DEG,
+                       .n_spots = head->n_spots };
     memcpy(t->geographic, head->geographic, sizeof t->geographic);
     if (head->crs)
         t->crs = il_strndup(head->crs, strlen(head->crs));

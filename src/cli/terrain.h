@@ -17,7 +17,7 @@ typedef struct il_terrain_level {
 /* crs: null when there is none; geographic: as in il_stack_head.  level[n]: rising.
  * on_ellipsoid: lengths and areas are in m and m^2 on the ellipsoid; else in the stack's
  * unit in the plane, and unknown where that is degrees (has_measures is false).
- * end[2 * n_ends]: where open lines end; hull: of all lines.
+ * n_spots: spot heights.  end[2 * n_ends]: where open lines end; hull: of all lines.
  * Known once it is settled: interval, that of the levels, 0 where there is not one
  * (of few levels, or uneven ones); n_missing: levels left out of it; n_inside: ends of
  * open lines in the middle of the map. */
@@ -25,6 +25,7 @@ typedef struct il_terrain {
     char *crs;
     bool has_geographic, on_ellipsoid, has_measures;
     double geographic[4];
+    size_t n_spots;
     il_terrain_level *level;
     size_t n, cap;
     double *end;

@@ -146,8 +146,8 @@ static kind settle(kind k, kind in)
 {
     switch (in) {
     case TRACK_POINT:
-    case ROUTE_POINT: return k == ELEVATION || is_line_or_point(k) ? k : QUIET;
-    case WAYPOINT:
+    case ROUTE_POINT:
+    case WAYPOINT:    return k == ELEVATION || is_line_or_point(k) ? k : QUIET;
     case SEGMENT:     return is_line_or_point(k) ? k : QUIET;
     case EXTENSIONS:
     case VALUE:       return VALUE;

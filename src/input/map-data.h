@@ -1,7 +1,7 @@
 /* map-data.h - what a map set holds, for the files that make a stack of it.
  *
  * They work on it one after the other, in place (map-set.c, il_map_read):
- *     map-set      parsers fill it
+ *     map-set      parsers fill it, map-spots the points by themselves
  *     map-heights  where the heights stand, and each line's height
  *     map-degrees  whether x and y are degrees; one run of longitudes
  *     map-borders  polygons become the lines between them
@@ -60,6 +60,8 @@ typedef struct il_map {
     size_t n, cap;              /* points */
     il_map_line *line;
     size_t n_lines, cap_lines;
+    il_spot *spot;              /* points by themselves; in the file's terms until map-units */
+    size_t n_spots, cap_spots;
     il_map_column *column;
     size_t n_columns, cap_columns, n_wanted;
     bool more_columns;          /* than are kept */

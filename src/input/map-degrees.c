@@ -2,6 +2,7 @@
 #include "input/map-degrees.h"
 #include "base/alloc.h"
 #include "input/map-refuse.h"
+#include "input/map-spots.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -195,9 +196,10 @@ il_status il_map_find_degrees(il_map *m, il_error *err)
     if (st != IL_OK || !m->degrees)
         return st;
     turn_used(m, &start);
-    if (start < 0)
-        return IL_OK;
-    turn_longitudes(m, start);
-    measure(m);
+    if (start >= 0) {
+        turn_longitudes(m, start);
+        measure(m);
+    }
+    il_map_spots_turn(m);
     return IL_OK;
 }

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "input/map-project.h"
 #include "input/map-refuse.h"
+#include "input/map-spots.h"
 #include "base/alloc.h"
 #include "base/number.h"
 
@@ -176,6 +177,8 @@ il_status il_map_project(il_map *m, il_error *err)
         st = densify_map(&d, err);
     if (st == IL_OK)
         st = il_map_project_points(&p, m->xy, m->n, m->options->threads, err);
+    if (st == IL_OK)
+        st = il_map_spots_project(m, &p, err);
     char *crs = st == IL_OK ? il_strndup(name, strlen(name)) : NULL;
     if (st != IL_OK || !crs)
         return st != IL_OK ? st : il_fail_nomem(err);

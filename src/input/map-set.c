@@ -6,6 +6,7 @@
 #include "input/map-degrees.h"
 #include "input/map-heights.h"
 #include "input/map-project.h"
+#include "input/map-spots.h"
 #include "input/map-stack.h"
 #include "input/map-trim.h"
 #include "input/map-units.h"
@@ -64,7 +65,7 @@ il_status il_map_begin_part(il_map_set *s, il_map_part kind, long line, il_error
 
 static il_status fail_point(const il_map *m, double x, double y, double z, long line, il_error *err)
 {
-    if (m->n >= m->options->max_points)
+    if (m->n + m->n_spots >= m->options->max_points)
         return il_fail(err, IL_E_INPUT, line, "more than %zu points (--max-points)", m->options->max_points);
     double bad = !(fabs(x) < IL_COORDINATE_BOUND) ? x : !(fabs(y) < IL_COORDINATE_BOUND) ? y : z;
     if (isfinite(bad))
@@ -77,8 +78,12 @@ il_status il_map_point(il_map_set *s, double x, double y, double z, long line, i
     il_map *m = &s->map;
     il_map_line *l = &m->line[m->n_lines - 1];
     bool fits = fabs(x) < IL_COORDINATE_BOUND && fabs(y) < IL_COORDINATE_BOUND && !(fabs(z) >= IL_COORDINATE_BOUND);
-    if (!fits || m->n >= m->options->max_points)
+    if (!fits || m->n + m->n_spots >= m->options->max_points)
         return fail_point(m, x, y, z, line, err);
+    if (l->kind == IL_MAP_POINT) {
+        l->n++;
+        return il_map_spots_add(m, l, x, y, z, line, err);
+    }
     if (m->n == m->cap && !il_grow(&m->xy, &m->cap, m->n + 1, 2 * sizeof *m->xy))
         return il_fail_nomem(err);
     m->xy[2 * m->n] = x + 0.0; /* -0 is 0 */
@@ -91,19 +96,22 @@ il_status il_map_point(il_map_set *s, double x, double y, double z, long line, i
     return IL_OK;
 }
 
-/* A line that comes back to its first point is closed, and an outline always is. */
+/* A line that comes back to its first point is closed, and an outline always is.  Points
+ * are no lines, and kept elsewhere. */
 il_status il_map_end_part(il_map_set *s, il_error *err)
 {
     il_map *m = &s->map;
     il_map_line *l = &m->line[m->n_lines - 1];
-    const double *first = m->xy + 2 * l->begin, *last = first + 2 * (l->n > 0 ? l->n - 1 : 0);
     (void)err;
-    bool meets = l->n > 2 && first[0] == last[0] && first[1] == last[1];
+    if (l->n == 0)
+        il_map_skip(s, l->line, "line", "has no points");
     if (l->kind == IL_MAP_POINT || l->n == 0) {
-        il_map_skip(s, l->line, l->n == 0 ? "line" : "point", l->n == 0 ? "has no points" : "a point by itself is no isoline");
-        m->n = l->begin;
         m->n_lines--;
-    } else if (meets) {
+        return IL_OK;
+    }
+    const double *first = m->xy + 2 * l->begin, *last = first + 2 * (l->n - 1);
+    bool meets = l->n > 2 && first[0] == last[0] && first[1] == last[1];
+    if (meets) {
         m->n--;
         l->n--;
         l->n_z -= l->n_z > l->n;
@@ -311,6 +319,7 @@ static void free_set(il_map_set *s)
     }
     il_free(m->column);
     il_free(m->line);
+    il_free(m->spot);
     il_free(m->xy);
     il_free(m->crs);
     il_free(m->mark);

@@ -9,8 +9,8 @@
  * on one stack of kind terrain: a slice a level, with a ring or open line a part.
  * Files read together are one set.
  *
- * Everything is held until the last file ends: 16 bytes a point, 80 a part, 8 a
- * feature for each attribute that may be a height. */
+ * Everything is held until the last file ends: 16 bytes a point of lines, 80 a part, 48 a
+ * point by itself, 8 a feature for each attribute that may be a height. */
 #ifndef IL_INPUT_MAP_SET_H
 #define IL_INPUT_MAP_SET_H
 
@@ -20,8 +20,8 @@ typedef struct il_map_set il_map_set;
 
 /* LINE: an isoline, closed when its last point is its first.  RING: the outline of
  * a polygon or of a hole in it, closed in any case; its last point may repeat the
- * first.  The rings of a feature are one polygon or several.  POINT: a point by
- * itself, counted as skipped. */
+ * first.  The rings of a feature are one polygon or several.  POINT: one or more points
+ * by themselves, spot heights if they have a height, else counted as skipped. */
 typedef enum il_map_part { IL_MAP_LINE, IL_MAP_RING, IL_MAP_POINT } il_map_part;
 
 /* LINE is where it stands in the file, for reports; 0 in files without lines.

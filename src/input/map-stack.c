@@ -1,6 +1,7 @@
 #include "config.h"
 #include "input/map-stack.h"
 #include "base/alloc.h"
+#include "model/spots.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -78,6 +79,19 @@ static bool set_crs(il_stack_head *head, const char *crs)
     return !text || head->crs;
 }
 
+/* The head has them from here on. */
+static void hand_spots(il_map *m, il_stack_head *head)
+{
+    head->spot = m->spot;
+    head->n_spots = m->n_spots;
+    head->cap_spots = m->cap_spots;
+    m->spot = NULL;
+    m->n_spots = m->cap_spots = 0;
+    il_stack_head_settle_spots(head, m->report);
+    if (head->n_spots > 0)
+        il_report_note(m->report, "spot heights: %zu", head->n_spots);
+}
+
 il_status il_map_emit(il_map *m, il_sink *sink, il_error *err)
 {
     il_stack_head head = IL_STACK_HEAD_INIT;
@@ -92,6 +106,8 @@ il_status il_map_emit(il_map *m, il_sink *sink, il_error *err)
     bool ok = sorted && il_stack_head_set_name(&head, "", 0) && il_stack_head_set_files(&head, m->file, m->n_files) &&
               set_crs(&head, m->crs);
     il_status st = ok ? IL_OK : il_fail_nomem(err);
+    if (ok)
+        hand_spots(m, &head);
     if (st == IL_OK)
         st = sink->stack_begin(sink, &head, err);
     if (st == IL_OK)

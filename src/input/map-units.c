@@ -5,6 +5,7 @@
 #include "input/map-degrees.h"
 #include "input/map-names.h"
 #include "input/map-refuse.h"
+#include "input/map-spots.h"
 
 #include <math.h>
 #include <string.h>
@@ -52,34 +53,34 @@ static bool unit_of_column(const il_map_column *c, il_unit *unit)
     return named;
 }
 
-static bool is_depth(const il_map *m)
+static bool is_depth(const il_map *m, const il_map_where *w)
 {
     il_map_name name;
-    const char *s = m->place.kind == IL_MAP_Z ? "" : m->column[m->place.low].name;
+    const char *s = w->kind == IL_MAP_Z ? "" : m->column[w->low].name;
     return il_map_name_read(s, strlen(s), &name) && name.is_depth;
 }
 
-static il_unit find_z_unit(const il_map *m)
+static il_unit find_z_unit(const il_map *m, const il_map_where *w)
 {
     il_unit unit = m->unit == IL_UNIT_DEG ? IL_UNIT_M : m->unit;
     if (m->options->map.has_z_unit)
         return m->options->map.z_unit;
-    if (m->place.kind != IL_MAP_Z && unit_of_column(&m->column[m->place.low], &unit))
+    if (w->kind != IL_MAP_Z && unit_of_column(&m->column[w->low], &unit))
         return unit;
     return m->meaning.has_z_unit ? m->meaning.z_unit : unit;
 }
 
 /* A name of depths says positive down, unless all of them are below 0 already. */
-static bool points_down(const il_map *m)
+static bool points_down(const il_map *m, const il_map_where *w)
 {
     if (m->options->map.depth != IL_DEPTH_AUTO)
         return m->options->map.depth == IL_DEPTH_DOWN;
-    if (m->place.kind == IL_MAP_Z)
+    if (w->kind == IL_MAP_Z)
         return m->meaning.down;
     bool above = false;
     for (size_t i = 0; i < m->n_lines && !above; i++)
         above = m->line[i].height > 0;
-    return above && is_depth(m);
+    return above && is_depth(m, w);
 }
 
 /* The factor exactly for feet in metres and the like: the larger unit over the smaller. */
@@ -89,44 +90,56 @@ static double converted(double z, il_unit from, il_unit to)
     return a == b ? z : b == 1 ? z * a : a == 1 ? z / b : z * a / b;
 }
 
-/* Kilometres may reach the bound when they become micrometres. */
-static il_status convert_heights(il_map *m, il_unit from, il_unit to, bool down, il_error *err)
+static il_map_scale scale_of(const il_map *m, const il_map_where *w)
 {
-    for (size_t i = 0; i < m->n_lines; i++) {
-        il_map_line *l = &m->line[i];
-        if (!il_map_takes_part(l))
-            continue;
-        double z = converted(l->height, from, to);
-        if (!(fabs(z) < IL_COORDINATE_BOUND)) {
-            il_fail(err, IL_E_INPUT, l->line, "a height reaches 1e15 when converted to %s", il_unit_name(to));
-            il_error_set_file(err, il_map_file_of(m, l));
-            return IL_E_INPUT;
-        }
-        l->height = (down ? -z : z) + 0.0;
-    }
-    return IL_OK;
+    il_unit to = m->unit == IL_UNIT_DEG ? IL_UNIT_M : m->unit;
+    return (il_map_scale){ find_z_unit(m, w), to, points_down(m, w) };
 }
 
-static void tell_heights(const il_map *m, il_unit from, il_unit to, bool down)
+/* Kilometres may reach the bound when they become micrometres. */
+il_status il_map_scale_height(const il_map_scale *s, double *z, const char *file, long line, il_error *err)
+{
+    double to = converted(*z, s->from, s->to);
+    *z = (s->down ? -to : to) + 0.0;
+    if (fabs(to) < IL_COORDINATE_BOUND)
+        return IL_OK;
+    il_fail(err, IL_E_INPUT, line, "a height reaches 1e15 when converted to %s", il_unit_name(s->to));
+    il_error_set_file(err, file);
+    return IL_E_INPUT;
+}
+
+static il_status convert_lines(il_map *m, const il_map_scale *s, il_error *err)
+{
+    il_status st = IL_OK;
+    for (size_t i = 0; i < m->n_lines && st == IL_OK; i++) {
+        il_map_line *l = &m->line[i];
+        if (il_map_takes_part(l))
+            st = il_map_scale_height(s, &l->height, il_map_file_of(m, l), l->line, err);
+    }
+    return st;
+}
+
+static void tell_heights(const il_map *m, const il_map_scale *s)
 {
     char place[200];
-    bool other = from != to;
-    il_report_note(m->report, "heights: %s, %s%s%s%s", il_map_place_words(m, place, sizeof place), il_unit_name(from),
-                   other ? ", converted to " : "", other ? il_unit_name(to) : "", down ? ", positive down" : "");
-    if (!down && is_depth(m) && m->options->map.depth == IL_DEPTH_AUTO)
+    bool other = s->from != s->to;
+    il_report_note(m->report, "heights: %s, %s%s%s%s", il_map_place_words(m, place, sizeof place), il_unit_name(s->from),
+                   other ? ", converted to " : "", other ? il_unit_name(s->to) : "", s->down ? ", positive down" : "");
+    if (!s->down && is_depth(m, &m->place) && m->options->map.depth == IL_DEPTH_AUTO)
         il_report_note(m->report, "depths are below 0, so they are taken as heights (--depth turns them over)");
     if (m->place.kind != IL_MAP_Z && m->column[m->place.low].mixed_units)
-        il_report_note(m->report, "heights state different units, which are not converted: all are taken as %s", il_unit_name(from));
+        il_report_note(m->report, "heights state different units, which are not converted: all are taken as %s",
+                       il_unit_name(s->from));
 }
 
 static il_status convert(il_map *m, il_error *err)
 {
-    il_unit to = m->unit == IL_UNIT_DEG ? IL_UNIT_M : m->unit, from = find_z_unit(m);
-    bool down = points_down(m);
-    il_status st = convert_heights(m, from, to, down, err);
+    const il_map_where by_z = { .kind = IL_MAP_Z };
+    const il_map_scale s = scale_of(m, &m->place), own = scale_of(m, &by_z);
+    il_status st = convert_lines(m, &s, err);
     if (st == IL_OK)
-        tell_heights(m, from, to, down);
-    return st;
+        tell_heights(m, &s);
+    return st == IL_OK ? il_map_spots_convert(m, &s, &own, err) : st;
 }
 
 /* ---- levels --------------------------------------------------------------------- */

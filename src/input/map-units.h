@@ -13,4 +13,13 @@
  * is one level only and nothing tells which side is high; IL_E_NOMEM. */
 il_status il_map_settle_units(il_map *m, il_error *err);
 
+/* How heights at one place become those of the stack. */
+typedef struct il_map_scale {
+    il_unit from, to;
+    bool down;
+} il_map_scale;
+
+/* *Z by S; LINE of FILE is where it stands.  IL_E_INPUT when it leaves 1e15. */
+il_status il_map_scale_height(const il_map_scale *s, double *z, const char *file, long line, il_error *err);
+
 #endif

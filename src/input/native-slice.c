@@ -3,6 +3,7 @@
 #include "input/native.h"
 #include "base/alloc.h"
 #include "model/order.h"
+#include "model/spots.h"
 
 #include <string.h>
 
@@ -123,11 +124,41 @@ static il_status take_attribute(il_native *n)
     return st != IL_OK ? st : il_scan_string(&n->at, &a->value, n->err);
 }
 
+/* Each is a point more of the stack. */
+static il_status take_spot(il_native *n)
+{
+    il_stack_head *h = &n->head;
+    double xyz[3];
+    il_status st = il_scan_numbers(&n->at, xyz, 3, n->err);
+    if (st == IL_OK && n->points >= n->options->max_points)
+        st = il_native_fail(n, "more than %zu vertices in one stack", n->points);
+    if (st == IL_OK && !il_grow(&h->spot, &h->cap_spots, h->n_spots + 1, sizeof *h->spot))
+        st = il_native_nomem(n);
+    if (st != IL_OK)
+        return st;
+    n->points++;
+    h->spot[h->n_spots++] = (il_spot){ .x = xyz[0] + 0.0, .y = xyz[1] + 0.0, .z = xyz[2] + 0.0, .line = n->at.line };
+    return IL_OK;
+}
+
+static il_status check_spots(il_native *n)
+{
+    const il_stack_head *h = &n->head;
+    if (h->n_spots > 0 && h->kind != IL_KIND_TERRAIN)
+        return il_native_fail_at(n, h->spot[0].line, "a spot height stands in a stack that is no terrain");
+    il_spots_sort(h->spot, h->n_spots);
+    for (size_t i = 1; i < h->n_spots; i++)
+        if (il_spots_meet(&h->spot[i - 1], &h->spot[i]))
+            return il_native_fail_at(n, h->spot[i].line, "another spot height stands at this place, in line %ld", h->spot[i - 1].line);
+    return IL_OK;
+}
+
 il_status il_native_close_head(il_native *n)
 {
-    if (!il_stack_head_set_files(&n->head, &n->name, 1))
-        return il_native_nomem(n);
-    return n->sink->stack_begin(n->sink, &n->head, n->err);
+    il_status st = check_spots(n);
+    if (st == IL_OK && !il_stack_head_set_files(&n->head, &n->name, 1))
+        st = il_native_nomem(n);
+    return st != IL_OK ? st : n->sink->stack_begin(n->sink, &n->head, n->err);
 }
 
 il_status il_native_close_stack(il_native *n)
@@ -145,6 +176,7 @@ const il_native_keyword il_native_stack_keywords[] = {
     { "crs", IL_IN_HEAD, take_crs },
     { "frame", IL_IN_HEAD, take_frame },
     { "attribute", IL_IN_HEAD, take_attribute },
+    { "spot", IL_IN_HEAD, take_spot },
     { NULL, IL_IN_STREAM, NULL },
 };
 

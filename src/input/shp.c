@@ -32,6 +32,7 @@ static kind kind_of(int type)
     case SHPT_ARCZ:                        return (kind){ IL_MAP_LINE, true };
     case SHPT_POLYGON: case SHPT_POLYGONM: return (kind){ IL_MAP_RING, false };
     case SHPT_POLYGONZ:                    return (kind){ IL_MAP_RING, true };
+    case SHPT_POINTZ: case SHPT_MULTIPOINTZ: return (kind){ IL_MAP_POINT, true };
     default:                               return (kind){ IL_MAP_POINT, false };
     }
 }
@@ -88,6 +89,15 @@ static il_status read_shape(reading *r, size_t i, int type, il_error *err)
     return st == IL_OK ? il_map_end_feature(r->set, err) : st;
 }
 
+/* A record that is no shape is a feature all the same, so that those behind it keep
+ * their numbers. */
+static il_status leave_out(reading *r, const char *what, const char *why, il_error *err)
+{
+    il_map_skip(r->set, 0, what, why);
+    il_status st = il_map_begin_feature(r->set, 0, err);
+    return st == IL_OK ? il_map_end_feature(r->set, err) : st;
+}
+
 static il_status read_record(reading *r, size_t i, il_error *err)
 {
     int type = SHPT_NULL;
@@ -95,14 +105,12 @@ static il_status read_record(reading *r, size_t i, il_error *err)
     if (st != IL_OK)
         return st;
     if (il_shp_row_is_deleted(&r->table, i))
-        il_map_skip(r->set, 0, "shape", "its row in the .dbf is deleted");
-    else if (type == SHPT_NULL)
-        il_map_skip(r->set, 0, "shape", "is a null shape");
-    else if (type == SHPT_MULTIPATCH)
-        il_map_skip(r->set, 0, "MultiPatch", "is a surface, no line");
-    else
-        return read_shape(r, i, type, err);
-    return IL_OK;
+        return leave_out(r, "shape", "its row in the .dbf is deleted", err);
+    if (type == SHPT_NULL)
+        return leave_out(r, "shape", "is a null shape", err);
+    if (type == SHPT_MULTIPATCH)
+        return leave_out(r, "MultiPatch", "is a surface, no line", err);
+    return read_shape(r, i, type, err);
 }
 
 /* Rows belong to records by their order, so that one more of either may have put all

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "model/rescale.h"
 #include "base/alloc.h"
+#include "model/spots.h"
 
 #include <math.h>
 
@@ -84,6 +85,19 @@ static void convert_length(const rescaler *r, double *length)
     *length = *length * r->numerator / r->denominator;
 }
 
+/* Two that were apart may come to one place. */
+static il_status convert_spots(rescaler *r, il_stack_head *h, il_error *err)
+{
+    il_status st = IL_OK;
+    for (size_t i = 0; i < h->n_spots; i++) {
+        double *const xyz[] = { &h->spot[i].x, &h->spot[i].y, &h->spot[i].z };
+        for (int k = 0; k < 3 && st == IL_OK; k++)
+            st = convert(r, xyz[k], h->spot[i].line, err);
+    }
+    il_stack_head_settle_spots(h, r->report);
+    return st;
+}
+
 static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
 {
     rescaler *r = (rescaler *)self;
@@ -109,6 +123,8 @@ static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_err
     }
     for (int k = 0; k < 3 && copy.has_frame && st == IL_OK; k++)
         st = convert(r, &copy.frame[k], head->line, err);
+    if (st == IL_OK)
+        st = convert_spots(r, &copy, err);
     if (st == IL_OK)
         st = r->next->stack_begin(r->next, &copy, err);
     il_stack_head_free(&copy);

@@ -14,7 +14,7 @@ double il_rescale_value(double value, double numerator, double denominator, bool
 double il_rescale_length(double length, il_unit from, il_unit to);
 
 /* A sink that gives NEXT (borrowed) all stacks in the unit TO, a length:
- * vertices, heights, the frame's origin, and what pairs say in lengths.
+ * vertices, heights, spot heights, the frame's origin, and what pairs say in lengths.
  * Coordinates that had to be rounded are counted in a note of REPORT, and its
  * largest_move is kept up.  A CRS text states its own unit, so it is dropped,
  * with a note.  Stacks in that unit already pass untouched.

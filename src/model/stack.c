@@ -52,6 +52,7 @@ void il_stack_head_free(il_stack_head *h)
     for (size_t i = 0; i < h->n_files; i++)
         il_free(h->file[i]);
     il_free(h->file);
+    il_free(h->spot);
     il_extra_free(&h->extra);
     *h = (il_stack_head)IL_STACK_HEAD_INIT;
 }
@@ -170,6 +171,18 @@ static bool copy_files(il_stack_head *to, const il_stack_head *from)
     return to->file != NULL;
 }
 
+static bool copy_spots(il_stack_head *to, const il_stack_head *from)
+{
+    if (from->n_spots == 0)
+        return true;
+    to->spot = il_alloc(from->n_spots, sizeof *to->spot);
+    if (!to->spot)
+        return false;
+    memcpy(to->spot, from->spot, from->n_spots * sizeof *to->spot);
+    to->n_spots = to->cap_spots = from->n_spots;
+    return true;
+}
+
 il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_error *err)
 {
     *to = *from;
@@ -178,10 +191,13 @@ il_status il_stack_head_copy(il_stack_head *to, const il_stack_head *from, il_er
     to->n_attributes = to->cap_attributes = 0;
     to->file = NULL;
     to->n_files = 0;
+    to->spot = NULL;
+    to->n_spots = to->cap_spots = 0;
     to->extra = NULL;
     if (copy_text(&to->name, from->name) && copy_text(&to->crs, from->crs) &&
         copy_text(&to->fault, from->fault) &&
-        copy_attributes(to, from) && copy_files(to, from) && copy_extra(&to->extra, from->extra))
+        copy_attributes(to, from) && copy_files(to, from) && copy_spots(to, from) &&
+        copy_extra(&to->extra, from->extra))
         return IL_OK;
     il_stack_head_free(to);
     return il_fail_nomem(err);

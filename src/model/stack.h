@@ -26,6 +26,14 @@ double il_unit_metres(il_unit u);
 /* "key" "value", in input order; both UTF-8, owned. */
 typedef struct il_attribute { char *key, *value; } il_attribute;
 
+/* A point and its height, in the unit of its stack; where it stood in the input: as of
+ * rings. */
+typedef struct il_spot {
+    double x, y, z;
+    long line, feature;
+    uint32_t file;
+} il_spot;
+
 /* What stands before the slices.  name: UTF-8 without NUL, "" when none; crs:
  * text or null.  frame: origin, x axis, y axis, z axis in world coordinates
  * (3 numbers each): a point (x, y, z) of the stack lies at o + x a + y b + z c.
@@ -36,7 +44,8 @@ typedef struct il_attribute { char *key, *value; } il_attribute;
  * they were not.  has_geographic: it was in degrees, from west, south, east and
  * north as in geographic, and `projection` made metres of them; the native format does
  * not carry that.  has_placement: the mesh made of it is not where its contours are.
- * file[n_files]: what it was read from, by names that can be shown; rings tell which of
+ * spot[n_spots]: points of a terrain whose height is known, by x and then y, no two at
+ * one place.  file[n_files]: what it was read from, by names that can be shown; rings tell which of
  * them; none where that is not known. */
 typedef struct il_stack_head {
     char *name;
@@ -55,6 +64,8 @@ typedef struct il_stack_head {
     il_placement placement;
     char *fault;
     long fault_line;
+    il_spot *spot;
+    size_t n_spots, cap_spots;
     char **file;
     size_t n_files;
     il_attribute *attribute;

@@ -119,6 +119,17 @@ static void write_attributes(il_output *to, const il_stack_head *h)
     }
 }
 
+static void write_spots(il_output *to, const il_stack_head *h)
+{
+    for (size_t i = 0; i < h->n_spots; i++) {
+        il_output_string(to, "spot");
+        il_native_put_number(to, h->spot[i].x);
+        il_native_put_number(to, h->spot[i].y);
+        il_native_put_number(to, h->spot[i].z);
+        il_output_char(to, '\n');
+    }
+}
+
 static void write_head(il_output *to, const il_stack_head *h)
 {
     il_output_string(to, "stack");
@@ -141,6 +152,7 @@ static void write_head(il_output *to, const il_stack_head *h)
     if (h->has_frame)
         write_frame(to, h->frame);
     write_attributes(to, h);
+    write_spots(to, h);
     il_native_write_extra(to, h->extra);
 }
 

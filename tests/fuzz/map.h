@@ -1,7 +1,7 @@
 /* map.h - what the harnesses of the readers of maps assert: whatever the bytes, they
  * are refused with a sentence and a line inside the input, or handed on as the sink's
  * contract has it: one terrain, rising heights, no empty levels or lines, finite
- * coordinates below the limit; and when they are joined, rings of three vertices and
+ * coordinates below the limit, spot heights in order; and when they are joined, rings of three vertices and
  * more, lines of two.
  *
  * What the user may say comes from the input, too, when that begins with OPTIONS:
@@ -37,6 +37,17 @@ static inline void check_text(const char *s, const char *what)
     must(!s || il_utf8_valid(s, strlen(s)), what);
 }
 
+static inline void check_spots(const il_stack_head *h)
+{
+    for (size_t i = 0; i < h->n_spots; i++) {
+        const il_spot *s = &h->spot[i], *before = s - (i > 0);
+        must(fabs(s->x) < IL_COORDINATE_BOUND && fabs(s->y) < IL_COORDINATE_BOUND, "a spot beyond the limit");
+        must(fabs(s->z) < IL_COORDINATE_BOUND, "a spot height beyond the limit");
+        must(i == 0 || before->x < s->x || (before->x == s->x && before->y < s->y), "spots do not rise");
+        must(s->file < h->n_files && s->feature > 0, "a spot of nowhere");
+    }
+}
+
 static inline il_status on_stack(il_sink *self, const il_stack_head *head, il_error *err)
 {
     map_contract *c = (map_contract *)self;
@@ -44,6 +55,7 @@ static inline il_status on_stack(il_sink *self, const il_stack_head *head, il_er
     must(c->calls == BEFORE, "a second stack");
     must(head->kind == IL_KIND_TERRAIN && head->unit < IL_N_UNITS, "an unknown kind of stack");
     must(head->fault == NULL, "a map with a fault is refused");
+    check_spots(head);
     check_text(il_stack_head_name(head), "a name is not UTF-8");
     check_text(head->crs, "a coordinate system is not UTF-8");
     for (size_t k = 0; k < head->n_attributes; k++) {

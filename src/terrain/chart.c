@@ -14,6 +14,7 @@ void il_chart_free(il_chart *c)
     il_free(c->node);
     il_free(c->edge);
     il_free(c->owner);
+    il_free(c->height);
     il_keymap_free(&c->at);
     *c = (il_chart)IL_CHART_INIT;
 }
@@ -30,21 +31,31 @@ uint32_t il_chart_node_at(il_chart *c, double x, double y)
         return IL_CHART_NONE;
     c->xy[2 * c->n_nodes] = x == 0 ? 0 : x;
     c->xy[2 * c->n_nodes + 1] = y == 0 ? 0 : y;
-    c->node[c->n_nodes] = (il_chart_node){ .z = NAN, .level = -1, .slice = -1, .ring = -1, .vertex = -1 };
+    c->node[c->n_nodes] = (il_chart_node){ .z = NAN, .level = -1, .top = -1, .slice = -1, .ring = -1, .vertex = -1 };
     return (uint32_t)c->n_nodes++;
 }
 
-bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner)
+bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner, int32_t level)
 {
     if (from == to)
         return true;
     if (!il_grow(&c->edge, &c->cap_edges, c->n_edges + 1, 2 * sizeof *c->edge) ||
-        !il_grow(&c->owner, &c->cap_owners, c->n_edges + 1, sizeof *c->owner))
+        !il_grow(&c->owner, &c->cap_owners, c->n_edges + 1, sizeof *c->owner) ||
+        !il_grow(&c->height, &c->cap_heights, c->n_edges + 1, sizeof *c->height))
         return false;
     c->edge[2 * c->n_edges] = from;
     c->edge[2 * c->n_edges + 1] = to;
+    c->height[c->n_edges] = level;
     c->owner[c->n_edges++] = owner;
     return true;
+}
+
+void il_chart_put_on(il_chart *c, uint32_t node, int32_t level)
+{
+    il_chart_node *n = &c->node[node];
+    n->level = n->level < 0 || level < n->level ? level : n->level;
+    n->top = level > n->top ? level : n->top;
+    n->z = c->level_z[n->level];
 }
 
 /* What all steps need. */
@@ -56,9 +67,6 @@ typedef struct drawing {
     const il_frame *frame;
     const il_stack_head *head;
     const il_placement_options *o;
-    il_clashes *clashes;
-    uint32_t *line_at;       /* a node of a line: the line that gave it its height */
-    size_t cap_line_at;
 } drawing;
 
 static uint32_t node_of(drawing *d, const double map[2])
@@ -68,26 +76,6 @@ static uint32_t node_of(drawing *d, const double map[2])
     return il_chart_node_at(d->c, p[0], p[1]);
 }
 
-/* NODE lies on line L now; when it was on another level, they clash there. */
-static bool put_on_line(drawing *d, uint32_t node, uint32_t l)
-{
-    il_chart *c = d->c;
-    il_chart_node *n = &c->node[node];
-    if (!il_grow(&d->line_at, &d->cap_line_at, c->n_nodes, sizeof *d->line_at))
-        return false;
-    if (n->level < 0) {
-        n->level = d->line[l].level;
-        n->z = c->level_z[n->level];
-        d->line_at[node] = l;
-    } else if (n->level != d->line[l].level) {
-        il_clashes *k = d->clashes;
-        if (!il_grow(&k->clash, &k->cap, k->n + 1, sizeof *k->clash))
-            return false;
-        k->clash[k->n++] = (il_clash){ { d->line_at[node], l }, { c->xy[2 * node], c->xy[2 * node + 1] } };
-    }
-    return true;
-}
-
 static bool add_line(drawing *d, uint32_t l)
 {
     il_chart *c = d->c;
@@ -95,17 +83,18 @@ static bool add_line(drawing *d, uint32_t l)
     uint32_t first = IL_CHART_NONE, before = IL_CHART_NONE;
     for (size_t v = 0; v < r->n; v++) {
         uint32_t node = node_of(d, r->xy + 2 * v);
-        if (node == IL_CHART_NONE || !put_on_line(d, node, l))
+        if (node == IL_CHART_NONE)
             return false;
+        il_chart_put_on(c, node, d->line[l].level);
         il_chart_node *n = &c->node[node];
         if (n->vertex < 0 && !(r->mark && r->mark[v] & IL_VERTEX_INSERTED))
             n->slice = d->line[l].level, n->ring = d->line[l].ring, n->vertex = (int32_t)v;
-        if (before != IL_CHART_NONE && !il_chart_add_edge(c, before, node, l))
+        if (before != IL_CHART_NONE && !il_chart_add_edge(c, before, node, l, d->line[l].level))
             return false;
         first = first == IL_CHART_NONE ? node : first;
         before = node;
     }
-    return r->open || il_chart_add_edge(c, before, first, l);
+    return r->open || il_chart_add_edge(c, before, first, l, d->line[l].level);
 }
 
 /* ---- the frame --------------------------------------------------------------- */
@@ -133,9 +122,10 @@ static bool add_feet(drawing *d)
             continue;
         const il_ring *r = &d->slice[e->level].ring[e->ring];
         uint32_t end = node_of(d, r->xy + (e->last ? 2 * (r->n - 1) : 0)), foot = node_of(d, e->foot);
-        if (end == IL_CHART_NONE || foot == IL_CHART_NONE || !put_on_line(d, foot, l) ||
-            !il_chart_add_edge(d->c, e->last ? end : foot, e->last ? foot : end, l))
+        if (end == IL_CHART_NONE || foot == IL_CHART_NONE ||
+            !il_chart_add_edge(d->c, e->last ? end : foot, e->last ? foot : end, l, d->line[l].level))
             return false;
+        il_chart_put_on(d->c, foot, d->line[l].level);
     }
     return true;
 }
@@ -159,7 +149,7 @@ static bool add_side(drawing *d, uint32_t a, uint32_t b, double longest)
         for (int i = 0; i < 2; i++)
             to[i] = il_placement_round(d->o, p[i] + t * (q[i] - p[i]));
         uint32_t next = k < n ? il_chart_node_at(c, to[0], to[1]) : b;
-        if (next == IL_CHART_NONE || !il_chart_add_edge(c, a, next, IL_CHART_NONE))
+        if (next == IL_CHART_NONE || !il_chart_add_edge(c, a, next, IL_CHART_NONE, -1))
             return false;
         c->node[next].is_frame = true;
         a = next;
@@ -198,15 +188,13 @@ static bool add_frame(drawing *d)
 
 il_status il_chart_build(il_chart *c, const il_slice *slice, const il_chart_line *line, size_t n_lines,
                          const il_frame *frame, const il_stack_head *head, const il_placement_options *o,
-                         il_clashes *clashes, il_error *err)
+                         il_error *err)
 {
-    drawing d = { .c = c, .slice = slice, .line = line, .n_lines = n_lines, .frame = frame, .head = head, .o = o,
-                  .clashes = clashes };
+    drawing d = { .c = c, .slice = slice, .line = line, .n_lines = n_lines, .frame = frame, .head = head, .o = o };
     bool ok = true;
     for (size_t l = 0; l < n_lines && ok; l++)
         ok = line[l].left_out || add_line(&d, (uint32_t)l);
     ok = ok && add_feet(&d) && add_frame(&d);
-    il_free(d.line_at);
     if (ok)
         return IL_OK;
     return c->n_nodes >= INT32_MAX ? il_fail(err, IL_E_INPUT, head->line, "the map has too many points") : il_fail_nomem(err);

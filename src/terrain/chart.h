@@ -10,11 +10,12 @@
 #define IL_CHART_NONE UINT32_MAX
 
 /* A point of the plane.  z: its height on the map, NAN while nothing gives it one (corners of
- * the frame, points put into faces).  level: index of the level that it lies on, -1 on none.
+ * the frame, points put into faces).  level, top: index of the lowest and the highest level that
+ * it lies on, which differ where lines run together; -1 on none; z is that of the lowest.
  * slice, ring, vertex: of the input, -1 for points that were put in.  is_frame: on it. */
 typedef struct il_chart_node {
     double z;
-    int32_t level, slice, ring, vertex;
+    int32_t level, top, slice, ring, vertex;
     bool is_frame;
 } il_chart_node;
 
@@ -26,7 +27,7 @@ typedef struct il_chart_line {
 
 /* xy[2*n_nodes], in the coordinates of the mesh (terrain/placement.h), distinct.
  * edge[2*n_edges]: nodes, along the lines; owner[e]: the line that it belongs to, n_lines and
- * more for interpolated ones, IL_CHART_NONE for the frame.  Edges of the frame have the map
+ * more for interpolated ones, IL_CHART_NONE for the frame; height[e]: its level, -1 for the frame.  Edges of the frame have the map
  * on their left.
  * at: position -> node.  level_z[n_levels]: rising. */
 typedef struct il_chart {
@@ -34,6 +35,7 @@ typedef struct il_chart {
     il_chart_node *node;     size_t n_nodes, cap_nodes;
     uint32_t *edge;          size_t n_edges, cap_edges;
     uint32_t *owner;         size_t cap_owners;
+    int32_t *height;         size_t cap_heights;
     il_keymap at;
     const double *level_z;   size_t n_levels;
 } il_chart;
@@ -45,26 +47,17 @@ void il_chart_free(il_chart *c); /* safe twice */
  * without memory. */
 uint32_t il_chart_node_at(il_chart *c, double x, double y);
 
-/* Append an edge; false without memory.  One from a node to itself is none. */
-bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner);
+/* Append an edge of OWNER, on level LEVEL or -1 of the frame; false without memory.  One from a node to itself is none. */
+bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner, int32_t level);
 
-/* Where two levels meet in one node, and edges cross: the lines that do. */
-typedef struct il_clash {
-    uint32_t line[2];
-    double at[2];            /* in the mesh's coordinates */
-} il_clash;
-
-typedef struct il_clashes {
-    il_clash *clash;
-    size_t n, cap;
-} il_clashes;
+/* A line of level LEVEL passes through NODE. */
+void il_chart_put_on(il_chart *c, uint32_t node, int32_t level);
 
 /* The chart of the lines line[n_lines] of slice[n_slices] that are not left out, and of FRAME.
  * HEAD's placement is chosen.  Long pieces of the frame are divided, and those between two
- * ends of one level.  Nodes of two levels go to CLASHES.  IL_E_NOMEM, IL_E_INPUT beyond
- * 2^31 nodes. */
+ * ends of one level.  IL_E_NOMEM, IL_E_INPUT beyond 2^31 nodes. */
 il_status il_chart_build(il_chart *c, const il_slice *slice, const il_chart_line *line, size_t n_lines,
                          const il_frame *frame, const il_stack_head *head, const il_placement_options *o,
-                         il_clashes *clashes, il_error *err);
+                         il_error *err);
 
 #endif

@@ -28,7 +28,7 @@ static void find_caps(const il_tin *t, const il_chart *c, const il_band *band, u
         uint32_t f = t->side[k];
         if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
             continue;
-        int32_t level = c->node[c->edge[k / 2 * 2]].level;
+        int32_t level = c->height[k / 2];
         sides[f] |= (unsigned char)((level <= band[f].low ? 1 : 0) | (level >= band[f].high ? 2 : 0));
     }
 }
@@ -81,7 +81,7 @@ static il_status build_borders(il_law *l, const il_tin *t, il_error *err)
         const uint32_t *v = c->edge + k / 2 * 2;
         if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
             continue;
-        size_t upper = c->node[v[0]].level > l->band[f].low;
+        size_t upper = c->height[k / 2] > l->band[f].low;
         s[n++] = (il_segment){ c->xy[2 * v[0]], c->xy[2 * v[0] + 1], c->xy[2 * v[1]], c->xy[2 * v[1] + 1], 2 * (size_t)f + upper, k / 2 };
     }
     return il_nearest_build(&l->borders, s, n, 2 * t->n_faces, err);

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "terrain/missing.h"
 #include "base/alloc.h"
+#include "terrain/cliff.h"
 
 #include <math.h>
 
@@ -36,12 +37,18 @@ static void raise_corners(const drawing *d)
     }
 }
 
-/* Where the edge from node A to node B passes through LEVEL: A's height is below it and B's is
- * not.  The same from either triangle.  IL_CHART_NONE without memory. */
-static uint32_t node_between(drawing *d, uint32_t a, uint32_t b, int32_t level)
+static double z_of(const drawing *d, size_t k)
+{
+    return il_cliff_z(d->t, d->c, d->law->band, k);
+}
+
+/* Where the edge from corner J to corner K of triangles passes through LEVEL: J is below it and
+ * K is not.  The same from either triangle.  IL_CHART_NONE without memory. */
+static uint32_t node_between(drawing *d, size_t j, size_t k, int32_t level)
 {
     il_chart *c = d->c;
-    double z = c->level_z[level], za = c->node[a].z, zb = c->node[b].z, p[2];
+    uint32_t a = d->t->corner[j], b = d->t->corner[k];
+    double z = c->level_z[level], za = z_of(d, j), zb = z_of(d, k), p[2];
     if (zb == z)
         return b;
     double t = (z - za) / (zb - za);
@@ -49,7 +56,7 @@ static uint32_t node_between(drawing *d, uint32_t a, uint32_t b, int32_t level)
         p[i] = il_placement_round(d->o, c->xy[2 * (size_t)a + (size_t)i] + t * (c->xy[2 * (size_t)b + (size_t)i] - c->xy[2 * (size_t)a + (size_t)i]));
     uint32_t n = il_chart_node_at(c, p[0], p[1]);
     if (n != IL_CHART_NONE && c->node[n].level < 0) {
-        c->node[n].level = c->node[n].slice = level;
+        c->node[n].level = c->node[n].top = c->node[n].slice = level;
         c->node[n].z = z;
     }
     return n;
@@ -71,7 +78,7 @@ static bool draw(drawing *d, uint32_t a, uint32_t b, int32_t level)
         *at = IL_CHART_NONE;
         return true;
     }
-    return il_chart_add_edge(c, a, b, (uint32_t)d->n_lines + (uint32_t)level);
+    return il_chart_add_edge(c, a, b, (uint32_t)d->n_lines + (uint32_t)level, level);
 }
 
 /* LEVEL in triangle T: of its three edges two pass through it, or none.  Points on the level
@@ -83,10 +90,9 @@ static bool draw_level(drawing *d, size_t triangle, int32_t level)
     uint32_t end[2];
     size_t n = 0;
     for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++) {
-        uint32_t a = d->t->corner[k], b = d->t->corner[after(k)];
-        bool a_below = c->node[a].z < z, b_below = c->node[b].z < z;
-        if (a_below != b_below)
-            end[n++] = node_between(d, a_below ? a : b, a_below ? b : a, level);
+        bool below = z_of(d, k) < z, next_below = z_of(d, after(k)) < z;
+        if (below != next_below)
+            end[n++] = node_between(d, below ? k : after(k), below ? after(k) : k, level);
     }
     /* the higher ground on the left, as nobody else has a say */
     return n < 2 || draw(d, end[0], end[1], level);
@@ -97,8 +103,7 @@ static bool has_line(const drawing *d, size_t triangle, int32_t level)
 {
     for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++) {
         uint32_t e = d->t->edge[k];
-        if (e != IL_CHART_NONE && d->c->owner[e] != IL_CHART_NONE &&
-            d->c->node[d->t->corner[k]].level == level && d->c->node[d->t->corner[after(k)]].level == level)
+        if (e != IL_CHART_NONE && (d->c->height[e] == level || (d->t->cliff[2 * e] <= level && level <= d->t->cliff[2 * e + 1])))
             return true;
     }
     return false;
@@ -114,19 +119,20 @@ static bool draw_levels(drawing *d, size_t triangle)
     return true;
 }
 
-/* The frame's edge E passes through levels: it becomes several. */
-static bool divide(drawing *d, size_t e)
+/* The frame's edge E, on edge J of triangles, passes through levels: it becomes several. */
+static bool divide(drawing *d, size_t j, size_t e)
 {
     il_chart *c = d->c;
-    uint32_t a = c->edge[2 * e], b = c->edge[2 * e + 1], before = a;
-    double za = c->node[a].z, zb = c->node[b].z;
+    size_t from = c->edge[2 * e] == d->t->corner[j] ? j : after(j), to = from == j ? after(j) : j;
+    uint32_t b = c->edge[2 * e + 1], before = c->edge[2 * e];
+    double za = z_of(d, from), zb = z_of(d, to);
     bool rises = za < zb, first = true;
     for (size_t k = 0; k < c->n_levels; k++) {
         int32_t level = (int32_t)(rises ? k : c->n_levels - 1 - k);
         double z = c->level_z[level];
         if (!((za < z) != (zb < z)))
             continue;
-        uint32_t n = rises ? node_between(d, a, b, level) : node_between(d, b, a, level);
+        uint32_t n = rises ? node_between(d, from, to, level) : node_between(d, to, from, level);
         if (n == IL_CHART_NONE)
             return false;
         if (n == before || n == b)
@@ -134,19 +140,19 @@ static bool divide(drawing *d, size_t e)
         c->node[n].is_frame = true;
         if (first)
             c->edge[2 * e + 1] = n;
-        else if (!il_chart_add_edge(c, before, n, IL_CHART_NONE))
+        else if (!il_chart_add_edge(c, before, n, IL_CHART_NONE, -1))
             return false;
         first = false;
         before = n;
     }
-    return first || il_chart_add_edge(c, before, b, IL_CHART_NONE);
+    return first || il_chart_add_edge(c, before, b, IL_CHART_NONE, -1);
 }
 
 static bool divide_frame(drawing *d)
 {
     for (size_t k = 0; k < 3 * d->t->n; k++) {
         uint32_t e = d->t->edge[k];
-        if (e != IL_CHART_NONE && d->c->owner[e] == IL_CHART_NONE && lacks_lines(d, k / 3) && !divide(d, e))
+        if (e != IL_CHART_NONE && d->c->owner[e] == IL_CHART_NONE && lacks_lines(d, k / 3) && !divide(d, k, e))
             return false;
     }
     return true;
@@ -161,6 +167,7 @@ static void drop_points(il_chart *c)
             continue;
         c->edge[2 * n] = c->edge[2 * e];
         c->edge[2 * n + 1] = c->edge[2 * e + 1];
+        c->height[n] = c->height[e];
         c->owner[n++] = c->owner[e];
     }
     c->n_edges = n;

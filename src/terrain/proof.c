@@ -38,7 +38,7 @@ static int turn(const proof *p, size_t triangle)
 static il_status prove_plan(const proof *p)
 {
     const il_skin *s = p->s;
-    size_t floor = s->n_surface + s->n_wall;
+    size_t floor = s->n_surface + s->n_cliff + s->n_wall;
     for (size_t k = 0; k < s->n_surface; k++)
         if (turn(p, k) <= 0)
             return refute(p, s->tri[3 * k], "a triangle is turned over in plan");
@@ -51,22 +51,27 @@ static il_status prove_plan(const proof *p)
     return IL_OK;
 }
 
-/* Walls stand upright, between a floor that is flat and ground above it. */
+static double height(const proof *p, uint32_t vertex)
+{
+    return p->s->xyz[3 * (size_t)vertex + 2];
+}
+
+/* Cliffs and walls stand upright; the floor is flat, and all ground lies above it. */
 static il_status prove_walls(const proof *p)
 {
     const il_skin *s = p->s;
-    size_t floor = s->n_surface + s->n_wall;
-    if (isnan(p->floor))
-        return s->n_triangles > s->n_surface ? refute(p, 0, "there are walls without a floor") : IL_OK;
-    for (size_t k = 0; k < 3 * s->n_surface; k++)
-        if (!(s->xyz[3 * (size_t)s->tri[k] + 2] > p->floor))
-            return refute(p, s->tri[k], "the ground does not lie above the floor");
-    for (size_t k = 3 * floor; k < 3 * s->n_triangles; k++)
-        if (s->xyz[3 * (size_t)s->tri[k] + 2] != p->floor)
-            return refute(p, s->tri[k], "the floor is not flat");
+    size_t wall = s->n_surface + s->n_cliff, floor = wall + s->n_wall;
     for (size_t k = s->n_surface; k < floor; k++)
         if (turn(p, k) != 0)
             return refute(p, s->tri[3 * k], "a wall does not stand upright");
+    if (isnan(p->floor))
+        return s->n_triangles > wall ? refute(p, 0, "there are walls without a floor") : IL_OK;
+    for (size_t k = 0; k < 3 * wall; k++)
+        if (!(height(p, s->tri[k]) > p->floor))
+            return refute(p, s->tri[k], "the ground does not lie above the floor");
+    for (size_t k = 3 * floor; k < 3 * s->n_triangles; k++)
+        if (height(p, s->tri[k]) != p->floor)
+            return refute(p, s->tri[k], "the floor is not flat");
     return IL_OK;
 }
 
@@ -116,8 +121,8 @@ static void count(const halves *h, const il_skin *s, uint32_t a, uint32_t b, siz
     }
 }
 
-/* rim[e]: the frame's edges that the open surface must end in, as seen by the chart: those
- * with the map on one side only. */
+/* How many edges of the frame the open surface must end in: those of the chart with the map on
+ * one side only.  Where a cliff meets the frame there are upright ones as well. */
 static size_t count_rim(const proof *p)
 {
     size_t n = 0;
@@ -145,7 +150,7 @@ static il_status prove_edges(const proof *p, const halves *h)
             return refute(p, s->tri[k], "an edge belongs to several triangles on one side");
         if (n[1] == 1)
             continue;
-        n_open++;
+        n_open += s->node[s->tri[k]] != s->node[s->tri[after(k)]];
         if (!isnan(p->floor) || !is_rim(p, k))
             return refute(p, s->tri[k], "an edge lacks its other triangle");
     }
@@ -154,19 +159,21 @@ static il_status prove_edges(const proof *p, const halves *h)
 
 /* ---- what it must pass through ------------------------------------------------------ */
 
+/* Every vertex is of some triangle, those of lines lie at their heights, and there is one for
+ * each level at each node of a line inside the frame. */
 static il_status prove_lines(const proof *p)
 {
     const il_skin *s = p->s;
     il_status st = IL_OK;
-    unsigned char *there = il_calloc(p->c->n_nodes, 1);
-    if (!there)
-        return il_fail_nomem(p->err);
-    for (size_t v = 0; v < s->n_vertices; v++)
-        there[s->node[v]] = 1;
+    unsigned char *used = il_calloc(s->n_vertices, 1), *there = il_calloc(p->c->n_nodes, 1);
+    if (!used || !there)
+        st = il_fail_nomem(p->err);
+    for (size_t k = 0; k < 3 * s->n_triangles && st == IL_OK; k++)
+        used[s->tri[k]] = there[s->node[s->tri[k]]] = 1;
     for (size_t v = 0; v < s->n_vertices && st == IL_OK; v++) {
-        const il_chart_node *n = &p->c->node[s->node[v]];
-        bool is_floor = s->xyz[3 * v + 2] == p->floor;
-        if (n->level >= 0 && !is_floor && s->xyz[3 * v + 2] != il_placement_height(p->head, p->o, p->c->level_z[n->level]))
+        if (!used[v])
+            st = refute(p, v, "lines run together here, but the ground does not reach all of them");
+        else if (s->level[v] >= 0 && height(p, (uint32_t)v) != il_placement_height(p->head, p->o, p->c->level_z[s->level[v]]))
             st = refute(p, v, "a point of a line does not lie at its height");
     }
     for (size_t e = 0; e < p->c->n_edges && st == IL_OK; e++) {
@@ -174,6 +181,7 @@ static il_status prove_lines(const proof *p)
         if (inside && !(there[p->c->edge[2 * e]] && there[p->c->edge[2 * e + 1]]))
             st = refute(p, 0, "a point of a line is missing");
     }
+    il_free(used);
     il_free(there);
     return st;
 }

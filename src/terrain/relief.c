@@ -3,6 +3,7 @@
 #include "terrain/relief.h"
 #include "base/alloc.h"
 #include "base/forest.h"
+#include "terrain/cliff.h"
 #include "terrain/complaint.h"
 #include "terrain/crossing.h"
 #include "terrain/missing.h"
@@ -32,7 +33,6 @@ typedef struct work {
     double *level_z;
     il_frame frame;
     il_chart chart;
-    il_clashes clashes;
     il_tin tin;
     il_border *border;       size_t n_borders;
     il_bands bands;
@@ -47,7 +47,6 @@ static void free_work(work *w)
     il_free(w->level_z);
     il_frame_free(&w->frame);
     il_chart_free(&w->chart);
-    il_free(w->clashes.clash);
     il_tin_free(&w->tin);
     il_free(w->border);
     il_bands_free(&w->bands);
@@ -117,56 +116,30 @@ static void forget_chart(work *w)
 {
     il_chart_free(&w->chart);
     il_tin_free(&w->tin);
-    w->clashes.n = 0;
 }
 
-/* Lines of different levels that meet cannot both be there: the shorter is left out. */
-static void leave_out_clashing(work *w)
-{
-    il_complaint c = complaint_of(w);
-    for (size_t k = 0; k < w->clashes.n; k++) {
-        const il_clash *clash = &w->clashes.clash[k];
-        uint32_t a = clash->line[0], b = clash->line[1];
-        if (a >= w->n_lines || b >= w->n_lines || w->line[a].left_out || w->line[b].left_out)
-            continue;
-        double la = il_ring_length(ring_of(w, a)), lb = il_ring_length(ring_of(w, b)), at[2];
-        uint32_t out = la < lb || (la == lb && a > b) ? a : b;
-        put_back(w->r, clash->at, at);
-        w->line[out].left_out = true;
-        il_complaint_against(&c, out, at, "it meets another level", out == a ? b : a);
-    }
-}
-
-/* The chart as a planar graph, in triangles; without them where levels meet. */
+/* The chart as a planar graph, in triangles. */
 static il_status triangulate(work *w, il_error *err)
 {
     bool crosses = false;
     il_tin_free(&w->tin);
-    il_status st = w->clashes.n == 0 ? il_tin_build(&w->tin, &w->chart, &crosses, err) : IL_OK;
+    il_status st = il_tin_build(&w->tin, &w->chart, &crosses, err);
     if (st != IL_OK || !crosses)
         return st;
-    st = il_chart_divide(&w->chart, w->line, w->n_lines, w->r->options.placement.round_float, &w->clashes, err);
-    if (st == IL_OK && w->clashes.n == 0)
+    st = il_chart_divide(&w->chart, w->r->options.placement.round_float, err);
+    if (st == IL_OK)
         st = il_tin_build(&w->tin, &w->chart, &crosses, err);
-    return st == IL_OK && w->clashes.n == 0 && crosses ? il_fail(err, IL_E_INTERNAL, 0, "a map's lines cross though they were divided") : st;
+    return st == IL_OK && crosses ? il_fail(err, IL_E_INTERNAL, 0, "a map's lines cross though they were divided") : st;
 }
 
-/* Until no levels meet. */
 static il_status draw_chart(work *w, il_error *err)
 {
     relief *r = w->r;
-    il_status st = IL_OK;
-    do {
-        forget_chart(w);
-        w->chart.level_z = w->level_z;
-        w->chart.n_levels = r->n;
-        st = il_chart_build(&w->chart, r->slice, w->line, w->n_lines, &w->frame, &r->head, &r->options.placement, &w->clashes, err);
-        if (st == IL_OK)
-            st = triangulate(w, err);
-        if (st == IL_OK)
-            leave_out_clashing(w);
-    } while (st == IL_OK && w->clashes.n > 0);
-    return st;
+    forget_chart(w);
+    w->chart.level_z = w->level_z;
+    w->chart.n_levels = r->n;
+    il_status st = il_chart_build(&w->chart, r->slice, w->line, w->n_lines, &w->frame, &r->head, &r->options.placement, err);
+    return st == IL_OK ? triangulate(w, err) : st;
 }
 
 static il_status label(work *w, size_t n_lines, il_error *err)
@@ -177,6 +150,8 @@ static il_status label(work *w, size_t n_lines, il_error *err)
     il_status st = il_tin_borders(&w->tin, &w->chart, &w->border, &w->n_borders, &n_faces, err);
     if (st == IL_OK)
         st = il_bands_label(&w->bands, w->border, w->n_borders, n_faces, n_lines, w->r->n, w->r->options.high, err);
+    if (st == IL_OK && w->tin.n_cliffs > 0)
+        st = il_cliff_label(&w->tin, &w->chart, w->bands.band, err);
     return st;
 }
 
@@ -262,8 +237,9 @@ static il_status settle_heights(work *w, il_error *err)
     for (size_t k = 0; k < 3 * w->tin.n; k++) {
         if (w->tin.face[k / 3] == IL_CHART_NONE)
             continue;
-        lowest = fmin(lowest, w->chart.node[w->tin.corner[k]].z);
-        highest = fmax(highest, w->chart.node[w->tin.corner[k]].z);
+        double z = il_cliff_z(&w->tin, &w->chart, w->bands.band, k);
+        lowest = fmin(lowest, z);
+        highest = fmax(highest, z);
     }
     il_status st = il_placement_settle(&r->head, &r->options.placement, w->frame.box, lowest, highest, &floor, err);
     w->floor = r->options.placement.solid ? il_placement_height(&r->head, &r->options.placement, floor) : NAN;
@@ -330,9 +306,9 @@ static il_status gather_facts(const work *w, il_mesh_facts *f, il_error *err)
 static il_origin origin_of(const work *w, size_t v)
 {
     const il_chart_node *n = &w->chart.node[w->skin.node[v]];
-    bool is_floor = w->skin.xyz[3 * v + 2] == w->floor;
-    if (is_floor || n->vertex < 0)
-        return (il_origin){ w->r->stack, is_floor ? -1 : n->level, -1, -1 };
+    int32_t level = w->skin.level[v];
+    if (n->vertex < 0 || level != n->slice)
+        return (il_origin){ w->r->stack, level, -1, -1 };
     return (il_origin){ w->r->stack, n->slice, n->ring, n->vertex };
 }
 
@@ -361,6 +337,53 @@ static il_status hand_on(work *w, il_error *err)
     return st == IL_OK ? next->end(next, &facts, err) : st;
 }
 
+/* longest[v]: of the lines through node V, where several levels meet, the longest. */
+static void find_longest(const work *w, uint32_t *longest)
+{
+    const il_chart *c = &w->chart;
+    for (size_t v = 0; v < c->n_nodes; v++)
+        longest[v] = IL_CHART_NONE;
+    for (size_t k = 0; k < 2 * c->n_edges; k++) {
+        uint32_t v = c->edge[k], l = c->owner[k / 2];
+        if (c->node[v].level == c->node[v].top || l >= w->n_lines)
+            continue;
+        if (longest[v] == IL_CHART_NONE || il_ring_length(ring_of(w, l)) > il_ring_length(ring_of(w, longest[v])))
+            longest[v] = l;
+    }
+}
+
+/* Lines that run together with others so that no ground can stand there: of those that meet,
+ * the longest stays. */
+static il_status leave_out_meeting(work *w, il_error *err)
+{
+    const il_chart *c = &w->chart;
+    il_complaint complaint = complaint_of(w);
+    uint32_t *longest = il_alloc(c->n_nodes, sizeof *longest);
+    if (!longest)
+        return il_fail_nomem(err);
+    find_longest(w, longest);
+    for (size_t k = 0; k < 2 * c->n_edges; k++) {
+        uint32_t v = c->edge[k], l = c->owner[k / 2], other = longest[v];
+        double at[2];
+        if (other == IL_CHART_NONE || l >= w->n_lines || w->line[l].left_out || w->line[l].level == w->line[other].level)
+            continue;
+        put_back(w->r, c->xy + 2 * (size_t)v, at);
+        w->line[l].left_out = true;
+        il_complaint_against(&complaint, l, at, "it meets another level", other);
+    }
+    il_free(longest);
+    return IL_OK;
+}
+
+/* From the lines that are not left out to a mesh that is proved. */
+static il_status make_ground(work *w, il_error *err)
+{
+    il_status st = find_bands(w, err);
+    if (st == IL_OK)
+        st = find_heights(w, err);
+    return st == IL_OK ? make_mesh(w, err) : st;
+}
+
 static il_status build(relief *r, il_error *err)
 {
     work w = { .r = r, .floor = NAN };
@@ -373,12 +396,16 @@ static il_status build(relief *r, il_error *err)
         st = il_placement_choose(&r->head, &r->options.placement, w.frame.box, err);
     if (st == IL_OK) {
         leave_out_loose(&w);
-        st = find_bands(&w, err);
+        st = make_ground(&w, err);
     }
-    if (st == IL_OK)
-        st = find_heights(&w, err);
-    if (st == IL_OK)
-        st = make_mesh(&w, err);
+    if (st == IL_E_SURFACE && w.tin.n_cliffs > 0) {
+        il_error_clear(err);
+        st = leave_out_meeting(&w, err);
+        il_skin_free(&w.skin);
+        st = st == IL_OK ? make_ground(&w, err) : st;
+    }
+    if (st == IL_OK && w.skin.n_cliff > 0)
+        il_report_note(r->report, "isolines of different heights run together: %zu triangles stand upright", w.skin.n_cliff);
     if (st == IL_OK)
         st = hand_on(&w, err);
     free_work(&w);

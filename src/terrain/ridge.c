@@ -1,6 +1,7 @@
 #include "config.h"
 #include "terrain/ridge.h"
 #include "bridge/predicates.h"
+#include "terrain/cliff.h"
 
 #include <math.h>
 
@@ -19,13 +20,13 @@ static const double *corner(const il_tin *t, const il_chart *c, size_t k)
 }
 
 /* Edge K of triangles, seen from the lesser of its two. */
-static bool is_chord(const il_tin *t, const il_chart *c, size_t k)
+static bool is_chord(const il_tin *t, const il_chart *c, const il_band *band, size_t k)
 {
     uint32_t across = t->across[k];
     if (t->face[k / 3] == IL_CHART_NONE || t->edge[k] != IL_CHART_NONE || across == IL_CHART_NONE || across < k / 3)
         return false;
-    const il_chart_node *a = &c->node[t->corner[k]], *b = &c->node[t->corner[after(k)]];
-    return a->level >= 0 && a->level == b->level;
+    bool on_lines = c->node[t->corner[k]].level >= 0 && c->node[t->corner[after(k)]].level >= 0;
+    return on_lines && il_cliff_z(t, c, band, k) == il_cliff_z(t, c, band, after(k));
 }
 
 /* Which edge of triangle NEXT leads to triangle T. */
@@ -51,7 +52,7 @@ static bool add_middle(const il_tin *t, il_chart *c, const il_law *law, const il
 {
     const double *a = corner(t, c, k), *b = corner(t, c, after(k));
     const double p[2] = { il_placement_round(o, a[0] + (b[0] - a[0]) / 2), il_placement_round(o, a[1] + (b[1] - a[1]) / 2) };
-    double level = c->node[t->corner[k]].z;
+    double level = il_cliff_z(t, c, law->band, k);
     if (!is_between(t, c, k, p))
         return true;
     double z = il_law_height(law, t->face[k / 3], p[0], p[1]);
@@ -70,7 +71,7 @@ il_status il_ridge_insert(il_tin *t, il_chart *c, const il_law *law, const il_pl
     for (int round = 0; round < ROUNDS && st == IL_OK; round++) {
         size_t from = c->n_nodes;
         for (size_t k = 0; k < 3 * t->n; k++)
-            if (is_chord(t, c, k) && !add_middle(t, c, law, o, k))
+            if (is_chord(t, c, law->band, k) && !add_middle(t, c, law, o, k))
                 return il_fail_nomem(err);
         if (c->n_nodes == from)
             break;

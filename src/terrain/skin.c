@@ -8,22 +8,25 @@ void il_skin_free(il_skin *s)
 {
     il_free(s->xyz);
     il_free(s->node);
+    il_free(s->level);
     il_free(s->tri);
     il_free(s->slab);
     *s = (il_skin)IL_SKIN_INIT;
 }
 
-static bool add_vertex(il_skin *s, const il_chart *c, uint32_t node, double z)
+static uint32_t add_vertex(il_skin *s, const il_chart *c, uint32_t node, int32_t level, double z)
 {
     if (!il_grow(&s->xyz, &s->cap_vertices, s->n_vertices + 1, 3 * sizeof *s->xyz) ||
-        !il_grow(&s->node, &s->cap_nodes, s->n_vertices + 1, sizeof *s->node))
-        return false;
+        !il_grow(&s->node, &s->cap_nodes, s->n_vertices + 1, sizeof *s->node) ||
+        !il_grow(&s->level, &s->cap_levels, s->n_vertices + 1, sizeof *s->level))
+        return IL_CHART_NONE;
     double *p = s->xyz + 3 * s->n_vertices;
     p[0] = c->xy[2 * (size_t)node];
     p[1] = c->xy[2 * (size_t)node + 1];
     p[2] = z;
-    s->node[s->n_vertices++] = node;
-    return true;
+    s->level[s->n_vertices] = level;
+    s->node[s->n_vertices] = node;
+    return (uint32_t)s->n_vertices++;
 }
 
 static bool add_triangle(il_skin *s, uint32_t a, uint32_t b, uint32_t c, int32_t slab)
@@ -37,51 +40,126 @@ static bool add_triangle(il_skin *s, uint32_t a, uint32_t b, uint32_t c, int32_t
     return true;
 }
 
+static size_t after(size_t k)
+{
+    return k % 3 == 2 ? k - 2 : k + 1;
+}
+
+/* first[node]: its lowest vertex, those of higher levels following it; IL_CHART_NONE where the
+ * node is outside. */
+typedef struct laying {
+    il_skin *s;
+    const il_tin *t;
+    const il_chart *c;
+    const il_band *band;
+    const il_stack_head *head;
+    const il_placement_options *o;
+    uint32_t *first;
+} laying;
+
 /* ---- the surface ---------------------------------------------------------------- */
 
-/* Vertices in the order of their nodes, so that those of the lines come first. */
-static bool lay_vertices(il_skin *s, const il_tin *t, const il_chart *c, const il_stack_head *head,
-                         const il_placement_options *o, uint32_t *vertex)
+/* Vertices in the order of their nodes, so that those of the lines come first; a vertex for
+ * each level where lines run together. */
+static bool lay_vertices(laying *l)
 {
+    const il_chart *c = l->c;
     for (size_t v = 0; v < c->n_nodes; v++)
-        vertex[v] = IL_CHART_NONE;
-    for (size_t k = 0; k < 3 * t->n; k++)
-        if (t->face[k / 3] != IL_CHART_NONE)
-            vertex[t->corner[k]] = 0;
+        l->first[v] = IL_CHART_NONE;
+    for (size_t k = 0; k < 3 * l->t->n; k++)
+        if (l->t->face[k / 3] != IL_CHART_NONE)
+            l->first[l->t->corner[k]] = 0;
     for (size_t v = 0; v < c->n_nodes; v++) {
-        if (vertex[v] == IL_CHART_NONE)
+        const il_chart_node *n = &c->node[v];
+        if (l->first[v] == IL_CHART_NONE)
             continue;
-        vertex[v] = (uint32_t)s->n_vertices;
-        if (!add_vertex(s, c, (uint32_t)v, il_placement_height(head, o, c->node[v].z)))
-            return false;
+        l->first[v] = (uint32_t)l->s->n_vertices;
+        for (int32_t level = n->level; level <= n->top; level++) {
+            double z = level < 0 ? n->z : c->level_z[level];
+            if (add_vertex(l->s, c, (uint32_t)v, level, il_placement_height(l->head, l->o, z)) == IL_CHART_NONE)
+                return false;
+        }
     }
     return true;
+}
+
+static uint32_t vertex_of(const laying *l, size_t k)
+{
+    const il_chart_node *n = &l->c->node[l->t->corner[k]];
+    uint32_t v = l->first[l->t->corner[k]];
+    return n->level == n->top ? v : v + (uint32_t)(il_cliff_level(n, l->band[l->t->face[k / 3]]) - n->level);
+}
+
+static bool lay_surface(laying *l)
+{
+    for (size_t k = 0; k < l->t->n; k++)
+        if (l->t->face[k] != IL_CHART_NONE &&
+            !add_triangle(l->s, vertex_of(l, 3 * k), vertex_of(l, 3 * k + 1), vertex_of(l, 3 * k + 2), l->band[l->t->face[k]].low))
+            return false;
+    l->s->n_surface = l->s->n_triangles;
+    return true;
+}
+
+/* An upright piece whose outline runs from B0 to A0, up or down A's vertices to A1, over to B1,
+ * and back along B's: vertices that stand on each other have numbers that follow each other. */
+static bool stand(il_skin *s, uint32_t a0, uint32_t a1, uint32_t b0, uint32_t b1, int32_t slab)
+{
+    bool ok = true;
+    while (ok && (a0 != a1 || b0 != b1)) {
+        bool by_a = a0 != a1;
+        uint32_t next = by_a ? (a0 < a1 ? a0 + 1 : a0 - 1) : b0 < b1 ? b0 + 1 : b0 - 1;
+        ok = add_triangle(s, b0, a0, next, slab);
+        if (by_a)
+            a0 = next;
+        else
+            b0 = next;
+    }
+    return ok;
+}
+
+/* Where triangles on both sides of an edge end at different levels. */
+static il_status lay_cliffs(laying *l, il_error *err)
+{
+    const il_tin *t = l->t;
+    for (size_t k = 0; k < 3 * t->n; k++) {
+        uint32_t next = t->across[k];
+        if (next == IL_CHART_NONE || next < k / 3 || t->face[k / 3] == IL_CHART_NONE || t->face[next] == IL_CHART_NONE)
+            continue;
+        const il_chart_node *a = &l->c->node[t->corner[k]], *b = &l->c->node[t->corner[after(k)]];
+        if (a->level == a->top && b->level == b->top)
+            continue;
+        size_t j = 3 * (size_t)next;
+        while (t->across[j] != k / 3)
+            j++;
+        uint32_t a0 = vertex_of(l, k), a1 = vertex_of(l, after(j)), b0 = vertex_of(l, after(k)), b1 = vertex_of(l, j);
+        if ((a1 > a0 && b1 < b0) || (a1 < a0 && b1 > b0))
+            return il_fail(err, IL_E_SURFACE, l->head->line, "stack \"%.60s\": isolines run together so that the ground would cross itself",
+                           il_stack_head_name(l->head));
+        if (!stand(l->s, a0, a1, b0, b1, a->level < a->top ? a->level : b->level))
+            return il_fail_nomem(err);
+    }
+    l->s->n_cliff = l->s->n_triangles - l->s->n_surface;
+    return IL_OK;
 }
 
 il_status il_skin_lay(il_skin *s, const il_tin *t, const il_chart *c, const il_band *band,
                       const il_stack_head *head, const il_placement_options *o, il_error *err)
 {
-    uint32_t *vertex = il_alloc(c->n_nodes, sizeof *vertex);
-    bool ok = vertex && lay_vertices(s, t, c, head, o, vertex);
-    for (size_t k = 0; k < t->n && ok; k++) {
-        const uint32_t *v = t->corner + 3 * k;
-        if (t->face[k] != IL_CHART_NONE)
-            ok = add_triangle(s, vertex[v[0]], vertex[v[1]], vertex[v[2]], band[t->face[k]].low);
-    }
-    il_free(vertex);
-    s->n_surface = s->n_triangles;
-    return ok ? IL_OK : il_fail_nomem(err);
+    laying l = { s, t, c, band, head, o, il_alloc(c->n_nodes, sizeof *l.first) };
+    il_status st = l.first && lay_vertices(&l) && lay_surface(&l) ? lay_cliffs(&l, err) : il_fail_nomem(err);
+    il_free(l.first);
+    return st;
 }
 
 /* ---- walls and floor -------------------------------------------------------------- */
 
-/* Edges of the surface that nothing lies beyond, as pairs of its vertices, the map on the
- * left; top[node], bottom[node]: the vertices that stand there. */
+/* Half-edges of the surface over the frame: of its triangles' edges K those that nothing lies
+ * beyond.  bottom[node]: the floor's vertex there, IL_CHART_NONE off the frame. */
 typedef struct closing {
     il_skin *s;
     const il_tin *t;
     const il_chart *c;
-    uint32_t *top, *bottom;
+    uint32_t *bottom;
     double floor;
 } closing;
 
@@ -90,40 +168,50 @@ static bool is_rim(const il_tin *t, size_t k)
     return t->face[k / 3] != IL_CHART_NONE && (t->across[k] == IL_CHART_NONE || t->face[t->across[k]] == IL_CHART_NONE);
 }
 
-static size_t after(size_t k)
-{
-    return k % 3 == 2 ? k - 2 : k + 1;
-}
-
 static bool add_bottoms(closing *w)
 {
     for (size_t v = 0; v < w->c->n_nodes; v++)
-        w->top[v] = w->bottom[v] = IL_CHART_NONE;
-    for (size_t v = 0; v < w->s->n_vertices; v++)
-        w->top[w->s->node[v]] = (uint32_t)v;
+        w->bottom[v] = IL_CHART_NONE;
     for (size_t k = 0; k < 3 * w->t->n; k++) {
         uint32_t v = w->t->corner[k];
         if (!is_rim(w->t, k))
             continue;
-        w->bottom[v] = (uint32_t)w->s->n_vertices;
-        if (!add_vertex(w->s, w->c, v, w->floor))
+        w->bottom[v] = add_vertex(w->s, w->c, v, -1, w->floor);
+        if (w->bottom[v] == IL_CHART_NONE)
             return false;
     }
     return true;
 }
 
-/* Seen from outside, a stands left of b. */
+/* The lowest of the vertices that stand where V does, in the surface. */
+static uint32_t foot_of(const il_skin *s, uint32_t v)
+{
+    while (v > 0 && s->node[v - 1] == s->node[v])
+        v--;
+    return v;
+}
+
+/* Under the surface's edge from A to B; seen from outside, a stands left of b. */
+static bool add_wall(closing *w, uint32_t a, uint32_t b)
+{
+    il_skin *s = w->s;
+    uint32_t a0 = w->bottom[s->node[a]], b0 = w->bottom[s->node[b]], foot_a = foot_of(s, a), foot_b = foot_of(s, b);
+    return add_triangle(s, a0, b0, foot_b, -1) && add_triangle(s, a0, foot_b, foot_a, -1) && stand(s, foot_b, b, foot_a, a, -1);
+}
+
 static bool add_walls(closing *w)
 {
+    size_t t = 0;
     for (size_t k = 0; k < 3 * w->t->n; k++) {
-        if (!is_rim(w->t, k))
+        if (w->t->face[k / 3] == IL_CHART_NONE)
             continue;
-        uint32_t a = w->t->corner[k], b = w->t->corner[after(k)];
-        if (!add_triangle(w->s, w->bottom[a], w->bottom[b], w->top[b], -1) ||
-            !add_triangle(w->s, w->bottom[a], w->top[b], w->top[a], -1))
+        /* the surface has the triangles inside the frame, in the same order */
+        const uint32_t *v = w->s->tri + 3 * t;
+        if (is_rim(w->t, k) && !add_wall(w, v[k % 3], v[(k + 1) % 3]))
             return false;
+        t += k % 3 == 2;
     }
-    w->s->n_wall = w->s->n_triangles - w->s->n_surface;
+    w->s->n_wall = w->s->n_triangles - w->s->n_surface - w->s->n_cliff;
     return true;
 }
 
@@ -143,7 +231,7 @@ static bool draw_rim(closing *w, il_chart *rim, uint32_t *to)
     }
     for (size_t k = 0; k < 3 * w->t->n && ok; k++)
         if (is_rim(w->t, k))
-            ok = il_chart_add_edge(rim, from[w->t->corner[k]], from[w->t->corner[after(k)]], IL_CHART_NONE);
+            ok = il_chart_add_edge(rim, from[w->t->corner[k]], from[w->t->corner[after(k)]], IL_CHART_NONE, -1);
     il_free(from);
     return ok;
 }
@@ -187,13 +275,12 @@ static il_status check_rim(const closing *w, il_error *err)
 
 il_status il_skin_close(il_skin *s, const il_tin *t, const il_chart *c, double floor, il_error *err)
 {
-    closing w = { s, t, c, il_alloc(c->n_nodes, sizeof *w.top), il_alloc(c->n_nodes, sizeof *w.bottom), floor };
-    il_status st = w.top && w.bottom ? check_rim(&w, err) : il_fail_nomem(err);
+    closing w = { s, t, c, il_alloc(c->n_nodes, sizeof *w.bottom), floor };
+    il_status st = w.bottom ? check_rim(&w, err) : il_fail_nomem(err);
     if (st == IL_OK && !(add_bottoms(&w) && add_walls(&w)))
         st = il_fail_nomem(err);
     if (st == IL_OK)
         st = add_floor(&w, err);
-    il_free(w.top);
     il_free(w.bottom);
     return st;
 }

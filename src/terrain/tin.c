@@ -13,6 +13,7 @@ void il_tin_free(il_tin *t)
     il_free(t->edge);
     il_free(t->face);
     il_free(t->side);
+    il_free(t->cliff);
     *t = (il_tin)IL_TIN_INIT;
 }
 
@@ -67,18 +68,44 @@ static uint32_t find_edge(const incidence *i, const il_chart *c, uint32_t a, uin
     return found;
 }
 
+/* The levels of all edges between the nodes of edge E, when they are several. */
+static void find_cliff(il_tin *t, const incidence *i, const il_chart *c, uint32_t e)
+{
+    uint32_t a = c->edge[2 * e], b = c->edge[2 * e + 1], low = a < b ? a : b, high = a < b ? b : a;
+    int32_t least = c->height[e], most = least;
+    for (uint32_t k = i->first[low]; k < i->first[low + 1]; k++) {
+        uint32_t f = i->of[k];
+        if (c->height[f] < 0 || (c->edge[2 * f] != high && c->edge[2 * f + 1] != high))
+            continue;
+        least = c->height[f] < least ? c->height[f] : least;
+        most = c->height[f] > most ? c->height[f] : most;
+    }
+    if (least < most && least >= 0 && t->cliff[2 * e] < 0) {
+        t->cliff[2 * e] = least;
+        t->cliff[2 * e + 1] = most;
+        t->n_cliffs++;
+    }
+}
+
 /* *FOUND: edges of the chart that are edges of triangles. */
 static il_status find_edges(il_tin *t, const il_chart *c, size_t *found, il_error *err)
 {
     incidence i = { NULL, NULL };
     il_free(t->edge);
+    il_free(t->cliff);
     t->edge = il_alloc(3 * t->n, sizeof *t->edge);
-    bool ok = t->edge && find_incidence(&i, c);
+    t->cliff = il_alloc(2 * c->n_edges, sizeof *t->cliff);
+    bool ok = t->edge && t->cliff && find_incidence(&i, c);
+    t->n_cliffs = 0;
+    for (size_t e = 0; ok && e < 2 * c->n_edges; e++)
+        t->cliff[e] = -1;
     *found = 0;
     for (size_t k = 0; ok && k < 3 * t->n; k++) {
         uint32_t a = t->corner[k], b = t->corner[k % 3 == 2 ? k - 2 : k + 1];
         uint32_t across = t->across[k];
         t->edge[k] = find_edge(&i, c, a, b);
+        if (t->edge[k] != IL_CHART_NONE)
+            find_cliff(t, &i, c, t->edge[k]);
         *found += t->edge[k] != IL_CHART_NONE && (across == IL_CHART_NONE || across > k / 3);
     }
     il_free(i.first);
@@ -341,7 +368,7 @@ il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border,
     *n_faces = t->n_faces;
     for (size_t e = 0; e < c->n_edges; e++) {
         const uint32_t *side = t->side + 2 * e, *v = c->edge + 2 * e;
-        if (is_frame(c, (uint32_t)e) || (side[0] == IL_CHART_NONE && side[1] == IL_CHART_NONE))
+        if (is_frame(c, (uint32_t)e) || t->cliff[2 * e] >= 0 || (side[0] == IL_CHART_NONE && side[1] == IL_CHART_NONE))
             continue;
         double length = hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
         if (*n > 0 && is_same_stretch(&(*border)[*n - 1], side, c->owner[e], t->n_faces)) {
@@ -354,7 +381,7 @@ il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border,
             *n = 0;
             return il_fail_nomem(err);
         }
-        il_border b = { { side[0], side[1] }, c->owner[e], c->node[v[0]].level, length, { c->xy[2 * v[0]], c->xy[2 * v[0] + 1] } };
+        il_border b = { { side[0], side[1] }, c->owner[e], c->height[e], length, { c->xy[2 * v[0]], c->xy[2 * v[0] + 1] } };
         for (int k = 0; k < 2; k++)
             b.face[k] = side[k] == IL_CHART_NONE ? (uint32_t)(*n_faces)++ : side[k];
         (*border)[(*n)++] = b;

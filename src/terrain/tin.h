@@ -10,13 +10,16 @@
  * lies triangle across[3*t + k] (IL_CHART_NONE beyond the hull) and, where the edge is one of
  * the chart's, that edge is edge[3*t + k], else IL_CHART_NONE.  face[t]: the face it belongs
  * to, IL_CHART_NONE outside the frame.
- * side[2*e], side[2*e + 1]: the faces to the left and right of edge e of the chart. */
+ * side[2*e], side[2*e + 1]: the faces to the left and right of edge e of the chart, on either
+ * side; of several edges between the same nodes one has them, and cliff[2*e], cliff[2*e + 1] are
+ * the lowest and the highest of their levels then; -1 for others. */
 typedef struct il_tin {
     il_triangulation *triangulation;
     uint32_t *corner, *across, *edge, *face;
     size_t n;
     uint32_t *side;
-    size_t n_sides, n_faces;
+    int32_t *cliff;
+    size_t n_sides, n_faces, n_cliffs;
 } il_tin;
 
 #define IL_TIN_INIT { 0 }
@@ -30,8 +33,8 @@ il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *er
  * numbers. */
 il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err);
 
-/* The stretches of lines between faces, as il_bands_label takes them; border[n] is the
- * caller's.  What lies beyond lines that run along the frame counts as *N_FACES - T's faces
+/* The stretches of lines between faces, as il_bands_label takes them, but for cliffs, which do
+ * not tell what is on which side; border[n] is the caller's.  What lies beyond lines that run along the frame counts as *N_FACES - T's faces
  * more, one a stretch. */
 il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, size_t *n_faces, il_error *err);
 

@@ -1,4 +1,5 @@
-/* isoloft.h - stacks of planar contours in, closed and certified triangle meshes out.
+/* isoloft.h - stacks of planar contours in, closed and certified triangle meshes out;
+ * maps of isolines in, certified surfaces out, open at the frame or closed.
  *
  * One function, il_loft, does what the program does: it takes contours from
  * files, from the bytes of a file or from arrays, makes them clean, finds what
@@ -93,12 +94,15 @@ typedef struct il_from {
 
 /* ---- solids out ----------------------------------------------------------- */
 
-/* The closed mesh of one stack.  name: UTF-8, "" when it has none.
+/* The mesh of one stack: closed, or that of a map if is_open, which ends at the map's
+ * frame and has neither volume nor genus (0).  name: UTF-8, "" when it has none.
  * xyz[3*n_vertices], of structure sets in patient coordinates (LPS);
  * triangle[3*n_triangles] counts vertices from 0, outward
  * normals by the right-hand rule.  contour_vertex[n_vertices]: 1 where the
  * vertex is one of the contours', 0 where isoloft inserted it.  volume, area in
- * the unit cubed and squared; genus: handles and tunnels of all components. */
+ * the unit cubed and squared; genus: handles and tunnels of all components.
+ * offset, scale: a vertex v of a map's mesh lies at v * scale + offset on the map, each
+ * coordinate by itself; 0 and 1 where nothing was moved. */
 typedef struct il_solid {
     char *name;
     double *xyz;
@@ -108,6 +112,8 @@ typedef struct il_solid {
     size_t n_triangles;
     long components, genus;
     double volume, area;
+    int is_open;
+    double offset[3], scale[3];
 } il_solid;
 
 typedef struct il_solids {
@@ -157,6 +163,17 @@ typedef enum il_gap_mode {
     IL_GAPS_FAIL     = 3
 } il_gap_mode;
 
+/* Maps of isolines.  hull: they end at the convex hull of their lines, not at the box.
+ * solid: closed with walls and a floor, has_base: at the height base of the map, else a
+ * little below the lowest point.  z_scale: heights are exaggerated so many times, 0: not.
+ * fit: the longer side of the frame becomes as many mm, 0: nothing is scaled.  recentre:
+ * the middle goes to 0, 0 and a solid's floor to z = 0; 0: for STL, as 32-bit floats would
+ * cost up to 0.7 m, 1: always, -1: never. */
+typedef struct il_map_settings {
+    int hull, solid, has_base, recentre;
+    double base, z_scale, fit;
+} il_map_settings;
+
 /* All 0 is what the program does without options.  threads: 0 is one a
  * processor; the mesh is the same for any number.  dome: close first and last
  * slice by a dome of half a spacing instead of flat.  unmatched: compare slices
@@ -164,7 +181,7 @@ typedef enum il_gap_mode {
  * sentence, what of the input was repaired or skipped; may be null.  The
  * sentence is gone when it returns.  thickness: what a slice that nothing is joined
  * to is given, in the input's unit; 0: the usual spacing for structure sets, and
- * where gaps says what to do, else such a slice is refused. */
+ * where gaps says what to do, else such a slice is refused.  map: of isolines. */
 typedef struct il_settings {
     int threads;
     int dome;
@@ -173,6 +190,7 @@ typedef struct il_settings {
     void *note_self;
     il_gap_mode gaps;
     double thickness;
+    il_map_settings map;
 } il_settings;
 
 /* Loft FROM into TO.  SETTINGS may be null, ERR too.  What TO points to must be

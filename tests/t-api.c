@@ -259,20 +259,65 @@ static void structure_sets_come_in_the_patients_coordinates(void **state)
     il_solids_free(&s);
 }
 
-static void terrain_is_refused_in_one_sentence(void **state)
+/* A hill of three levels, squares on their corners. */
+static const char hill[] =
+    "isoloft 1\nunit m\nstack \"hill\"\nkind terrain\nslice 10\nring\n1000 30\n1030 0\n1060 30\n1030 60\n"
+    "slice 20\nring\n1010 30\n1030 10\n1050 30\n1030 50\nslice 30\nring\n1020 30\n1030 20\n1040 30\n1030 40\nend\n";
+
+static void terrain_is_an_open_surface(void **state)
 {
     (void)state;
-    static const char hill[] = "isoloft 1\nunit m\nstack \"hill\"\nkind terrain\nslice 0\nline\n0 0\n9 0\nline\n9 0\n9 9\nend\n";
-    static const char map[] = "{\"type\":\"LineString\",\"coordinates\":[[0,500,7],[900,500,7],[900,900,7]]}"
-                              "{\"type\":\"LineString\",\"coordinates\":[[0,50,8],[900,50,8],[900,90,8]]}";
-    const char *const texts[] = { hill, map };
-    for (size_t k = 0; k < 2; k++) {
-        il_from from = from_text(texts[k]);
+    il_from from = from_text(hill);
+    il_solids s = IL_SOLIDS_INIT;
+    il_error err = IL_ERROR_INIT;
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, NULL, &err), IL_OK);
+    assert_int_equal(s.n, 1);
+    const il_solid *h = &s.solid[0];
+    assert_true(h->is_open && h->components == 1 && h->volume == 0 && h->area > 3600);
+    for (int k = 0; k < 3; k++)
+        assert_true(h->offset[k] == 0 && h->scale[k] == 1);
+    size_t corners = 0;
+    for (size_t i = 0; i < h->n_vertices; i++)
+        corners += h->contour_vertex[i] && h->xyz[3 * i] == 1020 && h->xyz[3 * i + 1] == 30 && h->xyz[3 * i + 2] == 30;
+    assert_int_equal(corners, 1);
+    il_solids_free(&s);
+}
+
+static void terrain_becomes_a_solid_of_the_size_asked_for(void **state)
+{
+    (void)state;
+    il_from from = from_text(hill);
+    il_solids s = IL_SOLIDS_INIT;
+    il_error err = IL_ERROR_INIT;
+    const il_settings settings = { .map = { .solid = 1, .has_base = 1, .base = 5, .recentre = 1, .fit = 120, .z_scale = 2 } };
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &settings, &err), IL_OK);
+    const il_solid *h = &s.solid[0];
+    assert_true(!h->is_open && h->genus == 0 && h->volume > 120 * 120 * 20);
+    assert_true(h->offset[0] == 1030 && h->offset[1] == 30 && h->offset[2] == 5 && h->scale[0] == 0.5 && h->scale[2] == 0.25);
+    double low = 1e9, left = 1e9, right = -1e9;
+    for (size_t i = 0; i < h->n_vertices; i++) {
+        low = fmin(low, h->xyz[3 * i + 2]);
+        left = fmin(left, h->xyz[3 * i]);
+        right = fmax(right, h->xyz[3 * i]);
+    }
+    assert_true(low == 0 && left == -60 && right == 60);
+    il_solids_free(&s);
+    const il_settings bad[] = { { .map = { .fit = -1 } }, { .map = { .z_scale = NAN } }, { .map = { .base = INFINITY } } };
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+        assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &bad[k], &err), IL_E_USAGE);
+}
+
+static void stl_of_terrain_is_recentred_unless_told_otherwise(void **state)
+{
+    (void)state;
+    il_from from = from_text(hill);
+    static const char *const header[] = { "STL isoloft offset 1030 30 0 hill", "STL isoloft hill" };
+    for (int k = 0; k < 2; k++) {
         il_blob b = IL_BLOB_INIT;
-        il_error err = IL_ERROR_INIT;
-        assert_int_equal(il_loft(&from, &(il_to){ .bytes = &b }, NULL, &err), IL_E_INPUT);
-        assert_non_null(strstr(err.text, "is terrain, of which this version makes no surface yet"));
-        assert_null(b.data);
+        const il_settings settings = { .map = { .recentre = -k } };
+        assert_int_equal(il_loft(&from, &(il_to){ .bytes = &b }, &settings, NULL), IL_OK);
+        assert_string_equal((const char *)b.data, header[k]);
+        il_blob_free(&b);
     }
 }
 
@@ -366,7 +411,9 @@ int main(void)
         cmocka_unit_test(numbers_that_are_none_are_refused),
         cmocka_unit_test(nothing_in_gives_nothing_out),
         cmocka_unit_test(structure_sets_come_in_the_patients_coordinates),
-        cmocka_unit_test(terrain_is_refused_in_one_sentence),
+        cmocka_unit_test(terrain_is_an_open_surface),
+        cmocka_unit_test(terrain_becomes_a_solid_of_the_size_asked_for),
+        cmocka_unit_test(stl_of_terrain_is_recentred_unless_told_otherwise),
         cmocka_unit_test(repairs_are_told),
         cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(calls_at_the_same_time_are_safe),

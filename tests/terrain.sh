@@ -1,4 +1,4 @@
-# terrain.sh - isolines as typed: joined, described, drawn, and refused where a surface is asked for.
+# terrain.sh - isolines as typed: joined, described, drawn; their surfaces are in surface.sh.
 . "$srcdir/tests/tap.sh"
 
 cp "$srcdir/examples/island.geojson" .
@@ -114,8 +114,8 @@ row extent 'x -9.62 to -9.532, y 53.04 to 53.0862 deg$'
 row levels '14, from -120 to 140 m$'
 row length '122.6.* km, on the ellipsoid$'
 exits 0 "solids and terrain in one stream" sh -c '{ sed "\$d" "$1"; sed 1d island.loft; } >both.loft; "$2" info both.loft' - "$vase" "$ISOLOFT"
-holds "one has a surface" test "$(grep -c '^  surface *certified' out)" -eq 1
-holds "the other has levels" test "$(grep -c '^  levels' out)" -eq 1
+holds "both have surfaces" test "$(grep -c '^  surface *certified' out)" -eq 2
+holds "one has levels" test "$(grep -c '^  levels' out)" -eq 1
 
 # ---- drawn and checked ---------------------------------------------------------
 
@@ -128,25 +128,12 @@ holds "and does as read does" cmp out island.loft
 
 # ---- refused -------------------------------------------------------------------
 
-refused() { # SENTENCE WHO COMMAND...: 3, one line, nothing written
-    sentence=$1 who=$2
-    shift 2
-    exits 3 "$sentence" "$@"
-    holds "in one line" one_error
-    holds "that says what works" grep -q "^isoloft: $who.* terrain, .*'isoloft read' and 'isoloft info' take it" err
-    holds "and writes nothing" test ! -s out -a ! -e x.stl
-}
-refused "no mesh of a map" island.geojson "$ISOLOFT" island.geojson -o x.stl
-refused "not to standard output either" island.geojson "$ISOLOFT" convert -q island.geojson
-refused "match takes none" island.geojson "$ISOLOFT" match island.geojson
-refused "nor mesh" island.geojson "$ISOLOFT" mesh island.geojson -o x.stl
-refused "no mesh of native terrain" island.loft:3 "$ISOLOFT" island.loft -o x.stl
-refused "nor of rings alone" ".*v_kind_terrain.loft:3" "$ISOLOFT" "$srcdir/formats/loft/valid/v_kind_terrain.loft" -o x.stl
-refused "nothing is matched in it" island.loft:3 "$ISOLOFT" match island.loft
-refused "nor lofted" island.loft:3 "$ISOLOFT" mesh island.loft -o x.stl
-exits 3 "in a folder" "$ISOLOFT" both.loft -o folder/
-holds "solids go on" test -s folder/0001-vase.stl
-holds "and the index says why the other did not" grep -q "is terrain" folder/index.json
+exits 3 "match takes no maps" "$ISOLOFT" match island.geojson
+holds "and says what makes them streams" grep -q "'match' takes the native format, which 'isoloft read' makes of it" err
+exits 3 "nor does mesh" "$ISOLOFT" mesh island.geojson -o x.stl
+exits 0 "match has nothing to do with isolines" "$ISOLOFT" match island.loft
+holds "and hands them on" cmp out island.loft
+holds "which it says" grep -q "terrain has no pairs to match" err
 
 for option in '--height elev' --depth '--z-unit ft' '--project utm'; do
     exits 2 "$option is for maps" "$ISOLOFT" read "$vase_svg" $option

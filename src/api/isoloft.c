@@ -1,6 +1,6 @@
 /* isoloft.c - isoloft.h: the stages put together for a caller's program.
  *
- *     reader or arrays > clean > join > [gaps] > match > [round] > lofter > tally > writer or arrays
+ *     reader or arrays > clean > join > [gaps] > match > [round] > relief or lofter > tally > writer or arrays
  *
  * As in the command, rounding for formats of 32-bit floats is a cleaning stage
  * of its own behind the matching, so that both give the same bytes. */
@@ -21,6 +21,7 @@
 #include "region/gapper.h"
 #include "region/joiner.h"
 #include "region/keyhole.h"
+#include "terrain/relief.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -49,7 +50,7 @@ typedef struct work {
     il_mesh_sink *mesh_writer;
     il_solids_sink solids;
     tally tally;
-    il_sink *lofter, *rounder, *matcher, *gapper, *joiner, *cleaner, *first;
+    il_sink *lofter, *relief, *rounder, *matcher, *gapper, *joiner, *cleaner, *first;
     il_refit *refit;
     il_report report, rounding;
 } work;
@@ -72,6 +73,9 @@ static il_status check_call(work *w, il_error *err)
         return il_fail(err, IL_E_USAGE, 0, "the spacing must be positive, or 0 for none");
     if (!(w->settings.thickness >= 0 && w->settings.thickness < 1e15))
         return il_fail(err, IL_E_USAGE, 0, "the thickness must be positive, or 0 for none");
+    const il_map_settings *m = &w->settings.map;
+    if (!(m->fit >= 0 && m->fit < 1e15) || !(m->z_scale >= 0 && m->z_scale < 1e15) || !(m->base > -1e15 && m->base < 1e15))
+        return il_fail(err, IL_E_USAGE, 0, "fit and z_scale of maps must be positive, or 0 for none, and base a height");
     if ((unsigned)w->settings.gaps > IL_GAPS_FAIL)
         return il_fail(err, IL_E_USAGE, 0, "gaps are treated in no way number %d", (int)w->settings.gaps);
     return IL_OK;
@@ -226,6 +230,19 @@ static il_status build_lofter(work *w, bool rounds, il_error *err)
     return il_lofter_new(&w->lofter, &o, &w->tally.sink, err);
 }
 
+static il_status build_relief(work *w, bool rounds, il_error *err)
+{
+    const il_map_settings *m = &w->settings.map;
+    il_relief_options o = { .frame.kind = m->hull ? IL_FRAME_HULL : IL_FRAME_BBOX, .threads = threads_of(&w->settings) };
+    o.placement = (il_placement_options){ .fit = m->fit, .z_scale = m->z_scale > 0 ? m->z_scale : 1,
+                                          .recentre = m->recentre > 0 || (m->recentre == 0 && rounds), .solid = m->solid,
+                                          .has_base = m->has_base, .round_float = rounds, .base = m->base };
+    il_status st = il_relief_new(&w->relief, &o, &w->tally.sink, w->lofter, &w->report, err);
+    if (st == IL_OK)
+        il_lofter_number_by(w->lofter, il_relief_stack(w->relief));
+    return st;
+}
+
 static il_status build_gapper(work *w, il_error *err)
 {
     il_gap_options g = { .mode = w->settings.gaps, .thickness = w->settings.thickness };
@@ -250,12 +267,14 @@ static il_status build_stages(work *w, il_error *err)
     m.matcher = w->settings.unmatched ? IL_MATCHER_NONE : IL_MATCHER_FFD;
     m.threads = threads_of(&w->settings);
     il_status st = build_lofter(w, rounds, err);
+    if (st == IL_OK)
+        st = build_relief(w, rounds, err);
     if (st == IL_OK && rounds)
-        st = il_refit_new(&w->refit, w->lofter, err);
+        st = il_refit_new(&w->refit, w->relief, err);
     if (st == IL_OK && rounds)
         st = il_cleaner_new(&w->rounder, &rounded, il_refit_behind(w->refit), &w->rounding, err);
     if (st == IL_OK)
-        st = il_matcher_new(&w->matcher, &m, rounds ? il_refit_before(w->refit, w->rounder) : w->lofter, err);
+        st = il_matcher_new(&w->matcher, &m, rounds ? il_refit_before(w->refit, w->rounder) : w->relief, err);
     if (st == IL_OK)
         st = build_gapper(w, err);
     if (st == IL_OK)
@@ -275,6 +294,7 @@ static void free_work(work *w)
         il_matcher_free(w->matcher);
     il_cleaner_free(w->rounder);
     il_refit_free(w->refit);
+    il_relief_free(w->relief);
     if (w->lofter)
         il_lofter_free(w->lofter);
     if (w->mesh_writer)

@@ -96,6 +96,11 @@ static il_status end(il_mesh_sink *self, const il_mesh_facts *facts, il_error *e
     s->open.genus = facts->genus;
     s->open.volume = facts->volume;
     s->open.area = facts->area;
+    s->open.is_open = facts->is_open;
+    const il_placement as_is = { { 0, 0, 0 }, { 1, 1, 1 }, IL_UNIT_MM };
+    const il_placement *p = s->head.has_placement ? &s->head.placement : &as_is;
+    memcpy(s->open.offset, p->offset, sizeof p->offset);
+    memcpy(s->open.scale, p->scale, sizeof p->scale);
     s->list->solid[s->list->n++] = s->open;
     s->open = (il_solid){ 0 };
     drop_open(self);

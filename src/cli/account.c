@@ -65,7 +65,6 @@ static il_status open_record(il_account *a, const il_stack_head *head, il_error 
         return il_fail_nomem(err);
     }
     a->stack[a->n++] = s;
-    a->ends_here = s.is_terrain && a->next_mesh;
     a->began = a->began > 0 ? a->began : il_clock_seconds();
     a->in_stack = true;
     a->skipping = false;
@@ -154,7 +153,7 @@ static void merge_rounding(il_report *r, il_report *rounding)
 static il_status close_record(il_account *a, il_error *err)
 {
     il_stack_account *s = current(a);
-    a->in_stack = a->skipping = a->ends_here = false;
+    a->in_stack = a->skipping = false;
     merge_rounding(&a->report, &a->rounding);
     s->seconds = il_clock_seconds() - a->began;
     a->began = 0;
@@ -231,9 +230,7 @@ static il_account *of_contours(il_sink *self)
 static il_status begin_stack(il_account *a, const il_stack_head *head, il_error *err)
 {
     il_status st = il_stack_head_refuse_fault(head, err);
-    if (st == IL_OK && current(a)->is_terrain && a->options.no_terrain)
-        st = il_fail(err, IL_E_INPUT, head->line, "stack '%.80s' is " IL_TERRAIN_REFUSED, il_stack_head_name(head));
-    return st == IL_OK && !a->ends_here ? a->next->stack_begin(a->next, head, err) : st;
+    return st == IL_OK ? a->next->stack_begin(a->next, head, err) : st;
 }
 
 static il_status on_stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
@@ -247,7 +244,7 @@ static il_status on_slice(il_sink *self, il_slice *slice, il_error *err)
 {
     il_account *a = of_contours(self);
     il_status st = count_slice(a, slice, err);
-    if (st != IL_OK || a->skipping || a->ends_here)
+    if (st != IL_OK || a->skipping)
         return st;
     il_progress_show(a->options.voice, current(a)->name, current(a)->slices, 0);
     return settle(a, a->next->slice(a->next, slice, err), err);
@@ -259,7 +256,7 @@ static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)
     il_sections_pair(&current(a)->sections, pair);
     if (pair->gap)
         il_slicing_gap(&a->slicing);
-    return a->skipping || a->ends_here ? IL_OK : settle(a, a->next->pair(a->next, pair, err), err);
+    return a->skipping ? IL_OK : settle(a, a->next->pair(a->next, pair, err), err);
 }
 
 /* A stack without contours has no surface, and takes none from the others. */
@@ -277,9 +274,7 @@ static il_status on_stack_end(il_sink *self, il_error *err)
 {
     il_account *a = of_contours(self);
     il_status st = IL_OK;
-    if (a->ends_here && !a->skipping) {
-        st = settle(a, check_strict(a, err), err);
-    } else if (a->next_mesh && current(a)->points == 0 && !a->skipping) {
+    if (a->next_mesh && current(a)->points == 0 && !a->skipping) {
         st = settle(a, leave_out_empty(a, err), err);
     } else if (!a->skipping) {
         st = a->next_mesh ? IL_OK : check_strict(a, err);

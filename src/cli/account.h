@@ -62,10 +62,10 @@ typedef struct il_stack_account {
  * run without any stack is no failure.  input: the name for errors that know
  * none, null when there are several.  note_on_solids, note_on_terrain: a sentence that each
  * stack of that kind gets, or null.  no_unit: what is written says nothing of the unit,
- * which meshes of maps in metres are told.  frame: of maps.  no_terrain: a stack of terrain fails.  file_of: names the file of the stack that
+ * which meshes of maps in metres are told.  frame: of maps.  file_of: names the file of the stack that
  * has just ended, null when there is none. */
 typedef struct il_account_options {
-    bool keep_going, strict, empty_allowed, no_terrain;
+    bool keep_going, strict, empty_allowed;
     bool no_unit;
     il_frame_kind frame;
     const char *input, *note_on_solids, *note_on_terrain;
@@ -78,8 +78,7 @@ typedef struct il_account_options {
  * ends next.  rounding: that of the stage that rounds for STL, which cleans what
  * is clean already.  slicing, inserted_...: of the current stack, and how much of
  * its slices isoloft put there (il_slice_is_inserted).  skipping: it has failed,
- * and what still comes of it is dropped.  ends_here: it is terrain, which is counted
- * where there are meshes, and goes no farther.
+ * and what still comes of it is dropped.
  * began: when the current stack did, for a stopwatch to set (0: at the tap).
  * worst: the highest code of any stack. */
 typedef struct il_account {
@@ -92,7 +91,7 @@ typedef struct il_account {
     il_stack_account *stack;    size_t n, cap;
     il_slicing slicing;
     size_t inserted_slices, inserted_rings, inserted_points;
-    bool in_stack, in_mesh, skipping, ends_here;
+    bool in_stack, in_mesh, skipping;
     double began;
     size_t n_triangles;
     il_status worst;
@@ -108,9 +107,6 @@ double il_stack_account_slice_sum(const il_stack_account *s);
 /* The taps, in front of NEXT (borrowed). */
 il_sink *il_account_contours(il_account *a, il_sink *next);
 il_mesh_sink *il_account_meshes(il_account *a, il_mesh_sink *next);
-
-/* What is said of terrain where a surface is asked for: it is ... */
-#define IL_TERRAIN_REFUSED "terrain, of which this version makes no surface yet ('isoloft read' and 'isoloft info' take it)"
 
 /* The run is over with ST: a stack that is still open failed with it. */
 void il_account_close(il_account *a, il_status st, const il_error *err);

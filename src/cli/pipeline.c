@@ -31,7 +31,7 @@ typedef struct pipeline {
     const il_reader *reader;
     il_destination *destination;
     il_output *pairs;
-    il_sink *pairs_writer, *lofter, *rounder, *tee, *matcher, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler, *select, *first;
+    il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler, *select, *first;
     il_refit *refit;
     il_sink nowhere;
     il_mesh_sink nowhere_mesh;
@@ -86,12 +86,6 @@ static il_status find_reader(pipeline *p, il_error *err)
     return IL_OK;
 }
 
-/* Terrain can be read, described and drawn only. */
-static bool needs_surface(const il_options *o, const il_plan *plan)
-{
-    return !plan->survey && (plan->loft || o->verb == IL_VERB_MATCH);
-}
-
 /* Options that say what isolines mean, and what they are for: maps of any format, or
  * one format. */
 static const struct { const char *option, *what, *format; bool any_map; } meanings[] = {
@@ -126,8 +120,6 @@ static il_status check_meanings(const pipeline *p, il_error *err)
 static il_status check_reader(const pipeline *p, il_error *err)
 {
     il_status st = check_meanings(p, err);
-    if (st == IL_OK && p->reader->is_map && needs_surface(p->options, p->plan))
-        st = il_fail(err, IL_E_INPUT, 0, "is %s, and so " IL_TERRAIN_REFUSED, p->reader->name);
     if (st == IL_OK && p->plan->native_only && p->reader != &il_reader_loft)
         st = il_fail(err, IL_E_INPUT, 0, "is %s; '%s' takes the native format, which 'isoloft read' makes of it",
                      p->reader->name, il_verb_name(p->options->verb));
@@ -166,12 +158,9 @@ static int threads_of(const il_options *o)
     return n < IL_THREADS_MOST ? n : IL_THREADS_MOST;
 }
 
-static il_status build_end(pipeline *p, il_sink **end, il_error *err)
+/* The last stage of solids, and before it that of terrain, which takes its own. */
+static il_status build_surfaces(pipeline *p, il_mesh_sink *meshes, il_error *err)
 {
-    if (!p->plan->loft) {
-        *end = p->plan->survey ? &p->nowhere : il_destination_contours(p->destination);
-        return IL_OK;
-    }
     const il_options *o = p->options;
     il_loft_options l = IL_LOFT_OPTIONS_INIT;
     l.threads = threads_of(o);
@@ -179,9 +168,25 @@ static il_status build_end(pipeline *p, il_sink **end, il_error *err)
     l.round_float = o->to && o->to->round_float;
     l.progress = il_account_progress;
     l.progress_self = p->account;
+    il_relief_options r = o->relief;
+    r.threads = l.threads;
+    il_status st = il_lofter_new(&p->lofter, &l, meshes, err);
+    if (st == IL_OK)
+        st = il_relief_new(&p->relief, &r, meshes, p->lofter, &p->account->report, err);
+    if (st == IL_OK)
+        il_lofter_number_by(p->lofter, il_relief_stack(p->relief));
+    return st;
+}
+
+static il_status build_end(pipeline *p, il_sink **end, il_error *err)
+{
+    if (!p->plan->loft) {
+        *end = p->plan->survey ? &p->nowhere : il_destination_contours(p->destination);
+        return IL_OK;
+    }
     il_mesh_sink *meshes = p->plan->survey ? &p->nowhere_mesh : il_destination_meshes(p->destination);
-    il_status st = il_lofter_new(&p->lofter, &l, il_account_meshes(p->account, meshes), err);
-    *end = p->lofter;
+    il_status st = build_surfaces(p, il_account_meshes(p->account, meshes), err);
+    *end = p->relief;
     return st;
 }
 
@@ -318,6 +323,7 @@ static void free_pipeline(pipeline *p)
     il_tee_free(p->tee);
     if (p->rounder)
         il_cleaner_free(p->rounder);
+    il_relief_free(p->relief);
     if (p->lofter)
         il_lofter_free(p->lofter);
     if (p->pairs_writer)
@@ -366,6 +372,26 @@ static il_status run(pipeline *p, il_error *err)
     return st == IL_OK ? commit(p, err) : st;
 }
 
+/* What is meant for maps and does nothing to solids, and the other way round. */
+static const char *note_on_solids(const il_options *o)
+{
+    static const struct { const char *option, *note; } c[] = {
+        { "solid", "--solid is for terrain, which this is not" }, { "z-scale", "--z-scale is for terrain, which this is not" },
+        { "fit", "--fit is for terrain, which this is not" }, { "recentre", "--recentre is for terrain, which this is not" },
+        { "high", "--high is for terrain, which this is not" } };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++)
+        if (il_options_given(o, c[k].option))
+            return c[k].note;
+    return NULL;
+}
+
+static const char *note_on_terrain(const il_options *o)
+{
+    if (o->verb == IL_VERB_MATCH)
+        return "terrain has no pairs to match, and is passed on as it is";
+    return o->pairs ? "terrain has no pairs: --pairs holds its lines alone" : NULL;
+}
+
 il_status il_pipeline_run(il_result *result, const il_options *o, const il_plan *plan, il_voice *voice, il_error *err)
 {
     double start = il_clock_seconds();
@@ -373,7 +399,8 @@ il_status il_pipeline_run(il_result *result, const il_options *o, const il_plan 
                    .nowhere = il_nowhere_contours(), .nowhere_mesh = il_nowhere_meshes() };
     bool folder = o->output && il_destination_is_folder(o->output);
     il_account_options a = { .keep_going = plan->survey || folder, .strict = o->strict, .voice = voice,
-                             .no_terrain = needs_surface(o, plan),
+                             .no_unit = plan->loft && !plan->survey && o->to->round_float,
+                             .frame = o->relief.frame.kind, .note_on_solids = note_on_solids(o), .note_on_terrain = note_on_terrain(o),
                              .input = o->n_inputs == 0 ? "-" : o->n_inputs == 1 ? o->input[0] : NULL };
     il_account_init(&result->account, &a);
     il_status st = run(&p, err);

@@ -21,6 +21,7 @@ typedef struct lofter {
     il_emitter emitter;
     il_stack_head head;       /* of the stack at hand, for messages */
     int32_t stack, n_slices;
+    const int32_t *number;    /* null: stacks are counted */
     il_section newest;        /* the last slice, while it is due */
     bool due;
     double z, spacing;        /* of the slice before it, and from the one before that */
@@ -240,16 +241,15 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     lofter *l = (lofter *)self;
     clear(l);
     il_stack_head_free(&l->head);
-    l->stack++;
+    l->stack = l->number ? *l->number : l->stack + 1;
     l->n_slices = 0;
     l->n_slabs = 0;
     il_emitter_begin(&l->emitter, l->next, l->stack, l->options.cap == IL_CAP_FLAT);
     il_status st = il_stack_head_refuse_fault(head, err);
     if (st == IL_OK)
         st = il_stack_head_copy(&l->head, head, err);
-    if (st == IL_OK && head->kind == IL_KIND_TERRAIN)
-        st = il_fail(err, IL_E_INPUT, head->line, "stack '%.80s' is terrain, of which this version makes no surface yet",
-                     il_stack_head_name(head));
+    if (st == IL_OK && head->kind != IL_KIND_SOLID)
+        st = il_fail(err, IL_E_INPUT, head->line, "stack '%.80s' is no solid", il_stack_head_name(head));
     if (st == IL_OK)
         st = l->next->begin(l->next, head, err);
     l->open = st == IL_OK;
@@ -324,6 +324,11 @@ il_status il_lofter_new(il_sink **out, const il_loft_options *o, il_mesh_sink *n
     }
     *out = &l->sink;
     return IL_OK;
+}
+
+void il_lofter_number_by(il_sink *s, const int32_t *stack)
+{
+    ((lofter *)s)->number = stack;
 }
 
 void il_lofter_free(il_sink *s)

@@ -34,6 +34,9 @@ enum { IL_LOFT_WINDOW = 8 };
  * certificate: then NEXT was told to abandon the stack, and the caller may go
  * on with the next one by calling stack_begin. */
 il_status il_lofter_new(il_sink **out, const il_loft_options *o, il_mesh_sink *next, il_error *err);
+/* Where other stacks go elsewhere: *STACK is the number of each that comes here, which the
+ * origins of its vertices get; else those that come are counted. */
+void il_lofter_number_by(il_sink *s, const int32_t *stack);
 void il_lofter_free(il_sink *s);
 
 #endif

@@ -292,11 +292,13 @@ static il_status gather_facts(const work *w, il_mesh_facts *f, il_error *err)
     il_free(up);
     f->vertices = s->n_vertices;
     f->triangles = s->n_triangles;
+    f->is_open = isnan(w->floor);
+    f->faces = w->tin.n_faces;
     f->slices = w->r->n;
     f->rings = w->n_lines;
     for (size_t k = 0; k < w->r->n; k++)
         f->points += il_slice_points(&w->r->slice[k]);
-    if (!isnan(w->floor)) {
+    if (!f->is_open) {
         f->volume = volume6 / 6;
         f->genus = (2 * f->components - ((long)s->n_vertices - (long)(s->n_triangles / 2))) / 2;
     }
@@ -481,6 +483,11 @@ il_status il_relief_new(il_sink **out, const il_relief_options *o, il_mesh_sink 
     *r = (relief){ .sink = { stack_begin, slice, pair, stack_end, end }, .options = *o, .next = next, .solids = solids,
                    .report = report, .stack = -1 };
     return IL_OK;
+}
+
+const int32_t *il_relief_stack(const il_sink *s)
+{
+    return &((const relief *)s)->stack;
 }
 
 void il_relief_free(il_sink *s)

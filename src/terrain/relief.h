@@ -28,6 +28,8 @@ typedef struct il_relief_options {
  * certificate fails, IL_E_INPUT, IL_E_NOMEM. */
 il_status il_relief_new(il_sink **out, const il_relief_options *o, il_mesh_sink *next, il_sink *solids,
                          il_report *report, il_error *err);
+/* The number of the stack at hand, of all that came, from 0. */
+const int32_t *il_relief_stack(const il_sink *s);
 void il_relief_free(il_sink *s); /* null is fine */
 
 #endif

@@ -443,6 +443,25 @@ static void the_user_may_say_what_the_numbers_mean(void **state)
     il_source_close(source);
 }
 
+/* What was projected was other numbers then. */
+static void numbers_in_another_unit_were_not_projected(void **state)
+{
+    (void)state;
+    const char text[] = "isoloft 1\nunit m\nstack \"a\"\nkind terrain\ngeographic 8 50 9 51\n"
+                        "projection tm 6378137 0.003 9 0 1 0 0\nend\n";
+    const char expected[] = "isoloft 1\nunit ft\nstack \"a\"\nkind terrain\nend\n";
+    il_read_options options = IL_READ_OPTIONS_INIT;
+    options.has_unit = true;
+    options.unit = IL_UNIT_FT;
+    il_source *source;
+    il_output *out;
+    assert_int_equal(il_source_from_memory(&source, text, sizeof text - 1, "a", NULL), IL_OK);
+    assert_int_equal(canonical(&source, 1, &options, &out, NULL), IL_OK);
+    assert_output(out, expected, sizeof expected - 1);
+    il_output_discard(out);
+    il_source_close(source);
+}
+
 static void slices_of_one_height_are_counted(void **state)
 {
     (void)state;
@@ -687,6 +706,7 @@ int main(void)
         cmocka_unit_test(rows_of_a_pair_are_limited_like_vertices),
         cmocka_unit_test(claimed_counts_reserve_nothing),
         cmocka_unit_test(the_user_may_say_what_the_numbers_mean),
+        cmocka_unit_test(numbers_in_another_unit_were_not_projected),
         cmocka_unit_test(slices_of_one_height_are_counted),
         cmocka_unit_test(an_unknown_keyword_of_a_later_minor_names_both_versions),
         cmocka_unit_test(names_from_files_do_not_steer_the_terminal_in_errors),

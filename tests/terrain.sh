@@ -76,7 +76,17 @@ row degrees 'longitude -9.62 to -9.532, latitude 53.04 to 53.0862$'
 row length '122.6.* km, on the ellipsoid$'
 row area '56.0.* km^2 in closed lines, on the ellipsoid$'
 holds "and no sum of slices" sh -c '! grep -q -e "^  slice sum" out'
-exits 0 "a native one is measured in the plane" "$ISOLOFT" info island.loft
+exits 0 "a native one knows how it was projected" "$ISOLOFT" info island.loft
+row degrees 'longitude -9.62 to -9.532, latitude 53.04 to 53.0862$'
+row length '122.6.* km, on the ellipsoid$'
+row area '56.0.* km^2 in closed lines, on the ellipsoid$'
+exits 0 "in another unit too" sh -c '"$0" read --to ft island.loft | "$0" info' "$ISOLOFT"
+row length '122.6.* km, on the ellipsoid$'
+exits 0 "in one that its numbers are not in, it does not" "$ISOLOFT" info --unit km island.loft
+row length '122[0-9]* km$'
+exits 3 "nor where it cannot be" sh -c 'sed "s/^slice -100/line\n9e14 9e14\n0 0\n&/" island.loft | "$0" info' "$ISOLOFT"
+holds "which is said" grep -q "a point has no place in the projection" err
+exits 0 "without it, it is measured in the plane" sh -c 'sed "/^geographic/d; /^projection/d" island.loft | "$ISOLOFT" info'
 row length '122.5[0-9]* km$'
 exits 0 "--list has a line of it" "$ISOLOFT" --list island.geojson
 holds "with levels, lines and interval" grep -q "terrain .* 14  *20  *2095  *20 m" out

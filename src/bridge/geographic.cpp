@@ -65,7 +65,7 @@ static il_status check_finite(const double *xy, size_t n, il_error *err)
 {
     for (size_t i = 0; i < 2 * n; i++)
         if (!std::isfinite(xy[i]))
-            return il_fail(err, IL_E_INTERNAL, 0, "a point has no place in the projection");
+            return il_fail(err, IL_E_INPUT, 0, "a point has no place in the projection");
     return IL_OK;
 }
 
@@ -95,6 +95,11 @@ il_status il_unproject_points(const il_projection *p, double *xy, size_t n, il_e
             reverse(TransverseMercator(e.a, e.f, p->k0), p, xy, n);
         return check_finite(xy, n, err);
     });
+}
+
+bool il_projection_is_far(const il_projection *p, double west, double east)
+{
+    return p->kind == IL_PROJECTION_TM && std::fmax(east - p->lon0, p->lon0 - west) > IL_TM_REACH && p->ellipsoid.f > 0;
 }
 
 int il_utm_zone(double lon, double lat)

@@ -36,12 +36,15 @@ typedef struct il_projection {
     bool north, far;
 } il_projection;
 
-/* The N points at XY, in place, in metres.  IL_E_INTERNAL when one has no finite
+/* The N points at XY, in place, in metres.  IL_E_INPUT when one has no finite
  * place, IL_E_NOMEM. */
 il_status il_project_points(const il_projection *p, double *xy, size_t n, il_error *err);
 
 /* And back: metres to degrees, in the turn of longitudes around lon0. */
 il_status il_unproject_points(const il_projection *p, double *xy, size_t n, il_error *err);
+
+/* Is P, with all but `far` set, to be exact for a map from WEST to EAST? */
+bool il_projection_is_far(const il_projection *p, double west, double east);
 
 /* The zone of UTM, 1 to 60 with the exceptions of Norway and Svalbard, that (lon, lat)
  * lies in, 0 beyond 84 north and 80 south, where UPS holds. */

@@ -108,6 +108,6 @@ il_status il_map_choose_projection(const il_map *m, il_projection *p, char *name
         choose_utm(m, zone, lon, lat >= 0, p, name, size);
     else
         choose_tm(m, lon, lat, p, name, size);
-    p->far = fmax(b[2] - p->lon0, p->lon0 - b[0]) > IL_TM_REACH && p->ellipsoid.f > 0;
+    p->far = il_projection_is_far(p, b[0], b[2]);
     return IL_OK;
 }

@@ -9,7 +9,7 @@
 
 /* ---- stacks ------------------------------------------------------------------ */
 
-enum { SEEN_NUMBER = 1, SEEN_KIND = 2, SEEN_COLOR = 4, SEEN_CRS = 8, SEEN_FRAME = 16 };
+enum { SEEN_NUMBER = 1, SEEN_KIND = 2, SEEN_COLOR = 4, SEEN_CRS = 8, SEEN_FRAME = 16, SEEN_GEOGRAPHIC = 32, SEEN_PROJECTION = 64 };
 
 static il_status once(il_native *n, unsigned bit, const char *word)
 {
@@ -36,6 +36,7 @@ static void forget_stack(il_native *n)
     il_slice_free(&n->slice);
     n->holds_slice = n->pair_done = false;
     n->seen = 0;
+    n->geographic_line = n->projection_line = 0;
     n->slices = n->points = 0;
 }
 
@@ -94,6 +95,18 @@ static il_status take_crs(il_native *n)
     if (st == IL_OK && !n->head.crs[0])
         st = il_native_fail(n, "'crs' is empty");
     return st;
+}
+
+static il_status take_geographic(il_native *n)
+{
+    il_status st = once(n, SEEN_GEOGRAPHIC, "geographic");
+    return st != IL_OK ? st : il_native_take_geographic(n);
+}
+
+static il_status take_projection(il_native *n)
+{
+    il_status st = once(n, SEEN_PROJECTION, "projection");
+    return st != IL_OK ? st : il_native_take_projection(n);
 }
 
 static double determinant(const double *a, const double *b, const double *c)
@@ -156,6 +169,8 @@ static il_status check_spots(il_native *n)
 il_status il_native_close_head(il_native *n)
 {
     il_status st = check_spots(n);
+    if (st == IL_OK)
+        st = il_native_check_geographic(n);
     if (st == IL_OK && !il_stack_head_set_files(&n->head, &n->name, 1))
         st = il_native_nomem(n);
     return st != IL_OK ? st : n->sink->stack_begin(n->sink, &n->head, n->err);
@@ -174,6 +189,8 @@ const il_native_keyword il_native_stack_keywords[] = {
     { "kind", IL_IN_HEAD, take_kind },
     { "color", IL_IN_HEAD, take_color },
     { "crs", IL_IN_HEAD, take_crs },
+    { "geographic", IL_IN_HEAD, take_geographic },
+    { "projection", IL_IN_HEAD, take_projection },
     { "frame", IL_IN_HEAD, take_frame },
     { "attribute", IL_IN_HEAD, take_attribute },
     { "spot", IL_IN_HEAD, take_spot },

@@ -37,6 +37,7 @@ typedef struct il_native {
 
     il_stack_head head;
     unsigned seen;                  /* header lines: bits in order of the keyword table */
+    long geographic_line, projection_line; /* where they stand in the header, 0: nowhere */
     il_extra **extra;               /* where the open record's next x- line goes */
 
     const char *name;               /* of the source */
@@ -77,6 +78,11 @@ il_status il_native_close_head(il_native *n);
 il_status il_native_close_stack(il_native *n);
 il_status il_native_close_ring(il_native *n);
 il_status il_native_flush_slice(il_native *n);  /* hand a held slice on */
+
+/* Maps that were in degrees. */
+il_status il_native_take_geographic(il_native *n);
+il_status il_native_take_projection(il_native *n);
+il_status il_native_check_geographic(il_native *n);  /* when the header closes */
 
 il_status il_native_take_lattice_row(il_native *n);
 il_status il_native_take_phi_row(il_native *n);

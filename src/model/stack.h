@@ -42,8 +42,8 @@ typedef struct il_spot {
  * that it came from, 0 when that is not known; for those that have no other.
  * length_scale: what its lengths were multiplied by since they were read, 0 where
  * they were not.  has_geographic: it was in degrees, from west, south, east and
- * north as in geographic, and `projection` made metres of them; the native format does
- * not carry that.  has_placement: the mesh made of it is not where its contours are.
+ * north as in geographic, and `projection` made metres of them, which are here in the
+ * unit.  has_placement: the mesh made of it is not where its contours are.
  * spot[n_spots]: points of a terrain whose height is known, by x and then y, no two at
  * one place.  file[n_files]: what it was read from, by names that can be shown; rings tell which of
  * them; none where that is not known. */

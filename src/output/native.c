@@ -101,6 +101,21 @@ static void write_color(il_output *to, const unsigned char *color)
     il_output_char(to, '\n');
 }
 
+/* How degrees became the numbers of the stack. */
+static void write_geographic(il_output *to, const il_stack_head *h)
+{
+    const il_projection *p = &h->projection;
+    bool polar = p->kind == IL_PROJECTION_STEREOGRAPHIC;
+    const double v[] = { p->ellipsoid.a, p->ellipsoid.f, p->lon0, polar ? (p->north ? 90 : -90) : p->lat0, p->k0, p->x0, p->y0 };
+    il_output_string(to, "geographic");
+    for (int i = 0; i < 4; i++)
+        il_native_put_number(to, h->geographic[i]);
+    il_output_string(to, polar ? "\nprojection polar" : "\nprojection tm");
+    for (size_t i = 0; i < sizeof v / sizeof *v; i++)
+        il_native_put_number(to, v[i]);
+    il_output_char(to, '\n');
+}
+
 static void write_frame(il_output *to, const double *frame)
 {
     il_output_string(to, "frame");
@@ -149,6 +164,8 @@ static void write_head(il_output *to, const il_stack_head *h)
         put_string(to, h->crs);
         il_output_char(to, '\n');
     }
+    if (h->has_geographic)
+        write_geographic(to, h);
     if (h->has_frame)
         write_frame(to, h->frame);
     write_attributes(to, h);

@@ -24,7 +24,7 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     m->projection = head->projection;
     if (!m->is_projected)
         m->projection.ellipsoid = wgs84;
-    m->scale = head->length_scale > 0 ? head->length_scale : 1;
+    m->scale = m->is_projected ? 1 / il_unit_metres(head->unit) : 1;
     return m->next->stack_begin(m->next, head, err);
 }
 

@@ -24,7 +24,7 @@ typedef struct il_curve_place {
 il_status il_frame_curves_locate(const il_frame_sides *s, const double p[2], il_curve_place *out, il_error *err);
 
 /* N points xy[2*n], longitudes and latitudes, to the plane of a stack that `p` and then
- * `scale` made.  IL_E_NOMEM, IL_E_INTERNAL. */
+ * `scale` made.  IL_E_NOMEM, IL_E_INPUT. */
 il_status il_frame_project(const il_projection *p, double scale, double *xy, size_t n, il_error *err);
 
 /* In how many pieces, as equal in degrees, the straight line between two longitudes and

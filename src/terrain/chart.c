@@ -50,6 +50,42 @@ bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner, 
     return true;
 }
 
+void il_chart_drop_points(il_chart *c)
+{
+    size_t n = 0;
+    for (size_t e = 0; e < c->n_edges; e++) {
+        if (c->edge[2 * e] == c->edge[2 * e + 1])
+            continue;
+        c->edge[2 * n] = c->edge[2 * e];
+        c->edge[2 * n + 1] = c->edge[2 * e + 1];
+        c->height[n] = c->height[e];
+        c->owner[n++] = c->owner[e];
+    }
+    c->n_edges = n;
+}
+
+bool il_chart_unfold_frame(il_chart *c)
+{
+    il_keymap once = IL_KEYMAP_INIT;
+    bool ok = true;
+    for (size_t e = 0; e < c->n_edges && ok; e++) {
+        if (c->owner[e] != IL_CHART_NONE)
+            continue;
+        uint32_t *at = il_keymap_put(&once, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
+        ok = at != NULL;
+        if (!ok || *at == e)
+            continue;
+        if (*at != IL_CHART_NONE) {
+            c->edge[2 * (size_t)*at + 1] = c->edge[2 * (size_t)*at];
+            c->edge[2 * e + 1] = c->edge[2 * e];
+        }
+        *at = *at == IL_CHART_NONE ? (uint32_t)e : IL_CHART_NONE;
+    }
+    il_keymap_free(&once);
+    il_chart_drop_points(c);
+    return ok;
+}
+
 void il_chart_put_on(il_chart *c, uint32_t node, int32_t level)
 {
     il_chart_node *n = &c->node[node];
@@ -194,7 +230,7 @@ il_status il_chart_build(il_chart *c, const il_slice *slice, const il_chart_line
     bool ok = true;
     for (size_t l = 0; l < n_lines && ok; l++)
         ok = line[l].left_out || add_line(&d, (uint32_t)l);
-    ok = ok && add_feet(&d) && add_frame(&d);
+    ok = ok && add_feet(&d) && add_frame(&d) && il_chart_unfold_frame(c);
     if (ok)
         return IL_OK;
     return c->n_nodes >= INT32_MAX ? il_fail(err, IL_E_INPUT, head->line, "the map has too many points") : il_fail_nomem(err);

@@ -50,6 +50,13 @@ uint32_t il_chart_node_at(il_chart *c, double x, double y);
 /* Append an edge of OWNER, on level LEVEL or -1 of the frame; false without memory.  One from a node to itself is none. */
 bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner, int32_t level);
 
+/* Drop edges of the frame that are there twice, for it leads in and out at once there: rounding
+ * may fold it.  False without memory. */
+bool il_chart_unfold_frame(il_chart *c);
+
+/* Drop edges from a node to itself. */
+void il_chart_drop_points(il_chart *c);
+
 /* A line of level LEVEL passes through NODE. */
 void il_chart_put_on(il_chart *c, uint32_t node, int32_t level);
 

@@ -34,7 +34,8 @@ il_status il_cliff_label(const il_tin *t, const il_chart *c, il_band *band, il_e
             if (t->cliff[k / 2 * 2] < 0 || f == IL_CHART_NONE || g == IL_CHART_NONE || known[f] || !known[g])
                 continue;
             int32_t low = t->cliff[k / 2 * 2], high = t->cliff[k / 2 * 2 + 1];
-            band[f] = band[g].low >= high ? (il_band){ low - 1, low } : (il_band){ high, high + 1 };
+            bool above = (band[g].low >= high) == (low == high);
+            band[f] = above ? (il_band){ high, high + 1 } : (il_band){ low - 1, low };
             known[f] = more = true;
         }
     }

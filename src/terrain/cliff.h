@@ -15,7 +15,8 @@ int32_t il_cliff_level(const il_chart_node *n, il_band band);
 double il_cliff_z(const il_tin *t, const il_chart *c, const il_band *band, size_t k);
 
 /* Faces that nothing but cliffs bounds lie above them all or below, as what is across does
- * not: give those of T their bands, all others having theirs.  IL_E_NOMEM. */
+ * not (of an even number of lines: as it does): give those of T their bands, all others having
+ * theirs.  IL_E_NOMEM. */
 il_status il_cliff_label(const il_tin *t, const il_chart *c, il_band *band, il_error *err);
 
 #endif

@@ -57,7 +57,7 @@ il_status il_chart_divide(il_chart *c, bool round_float, il_error *err)
     il_status st = to_arrangement(&a, c) ? IL_OK : il_fail_nomem(err);
     if (st == IL_OK)
         st = il_arrangement_settle(&a, &crossings, &touches, err);
-    if (st == IL_OK && !from_arrangement(c, &a))
+    if (st == IL_OK && !(from_arrangement(c, &a) && il_chart_unfold_frame(c)))
         st = il_fail_nomem(err);
     if (st == IL_OK)
         find_levels(c);

@@ -158,21 +158,6 @@ static bool divide_frame(drawing *d)
     return true;
 }
 
-/* Edges that were taken back are points now. */
-static void drop_points(il_chart *c)
-{
-    size_t n = 0;
-    for (size_t e = 0; e < c->n_edges; e++) {
-        if (c->edge[2 * e] == c->edge[2 * e + 1])
-            continue;
-        c->edge[2 * n] = c->edge[2 * e];
-        c->edge[2 * n + 1] = c->edge[2 * e + 1];
-        c->height[n] = c->height[e];
-        c->owner[n++] = c->owner[e];
-    }
-    c->n_edges = n;
-}
-
 il_status il_missing_draw(il_chart *c, const il_tin *t, const il_law *law, size_t n_lines,
                           const il_placement_options *o, size_t *n, il_error *err)
 {
@@ -187,7 +172,7 @@ il_status il_missing_draw(il_chart *c, const il_tin *t, const il_law *law, size_
     for (size_t k = 0; k < t->n && ok; k++)
         ok = !lacks_lines(&d, k) || draw_levels(&d, k);
     ok = ok && divide_frame(&d);
-    drop_points(c);
+    il_chart_drop_points(c);
     il_keymap_free(&d.once);
     return ok ? IL_OK : il_fail_nomem(err);
 }

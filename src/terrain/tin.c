@@ -68,19 +68,22 @@ static uint32_t find_edge(const incidence *i, const il_chart *c, uint32_t a, uin
     return found;
 }
 
-/* The levels of all edges between the nodes of edge E, when they are several. */
+/* The levels of all edges between the nodes of edge E, when they do not part as one line does:
+ * lines of several levels, or an even number of one, which parts nothing. */
 static void find_cliff(il_tin *t, const incidence *i, const il_chart *c, uint32_t e)
 {
     uint32_t a = c->edge[2 * e], b = c->edge[2 * e + 1], low = a < b ? a : b, high = a < b ? b : a;
     int32_t least = c->height[e], most = least;
+    size_t n = 0;
     for (uint32_t k = i->first[low]; k < i->first[low + 1]; k++) {
         uint32_t f = i->of[k];
         if (c->height[f] < 0 || (c->edge[2 * f] != high && c->edge[2 * f + 1] != high))
             continue;
+        n++;
         least = c->height[f] < least ? c->height[f] : least;
         most = c->height[f] > most ? c->height[f] : most;
     }
-    if (least < most && least >= 0 && t->cliff[2 * e] < 0) {
+    if (least >= 0 && (least < most || n % 2 == 0) && t->cliff[2 * e] < 0) {
         t->cliff[2 * e] = least;
         t->cliff[2 * e + 1] = most;
         t->n_cliffs++;
@@ -159,34 +162,6 @@ static il_status find_faces(il_tin *t, il_error *err)
     return t->face ? IL_OK : il_fail_nomem(err);
 }
 
-static bool lies_nowhere(const il_tin *t, const il_chart *c, size_t e)
-{
-    return !is_frame(c, (uint32_t)e) && t->side[2 * e] == IL_CHART_NONE && t->side[2 * e + 1] == IL_CHART_NONE;
-}
-
-/* Edges of lines that run along the frame have its sides. */
-static bool share_sides(il_tin *t, const il_chart *c)
-{
-    il_keymap frame = IL_KEYMAP_INIT;
-    bool any = false, ok = true;
-    for (size_t e = 0; e < c->n_edges; e++)
-        any = any || lies_nowhere(t, c, e);
-    for (size_t e = 0; any && ok && e < c->n_edges; e++)
-        ok = !is_frame(c, (uint32_t)e) || il_keymap_put(&frame, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
-    for (size_t e = 0; any && ok && e < c->n_edges; e++) {
-        uint32_t f = IL_CHART_NONE;
-        if (lies_nowhere(t, c, e))
-            f = il_keymap_get(&frame, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), IL_CHART_NONE);
-        if (f == IL_CHART_NONE)
-            continue;
-        bool alike = c->edge[2 * e] == c->edge[2 * (size_t)f];
-        t->side[2 * e] = t->side[2 * (size_t)f + (alike ? 0 : 1)];
-        t->side[2 * e + 1] = t->side[2 * (size_t)f + (alike ? 1 : 0)];
-    }
-    il_keymap_free(&frame);
-    return ok;
-}
-
 static il_status find_sides(il_tin *t, const il_chart *c, il_error *err)
 {
     t->n_sides = c->n_edges;
@@ -198,7 +173,7 @@ static il_status find_sides(il_tin *t, const il_chart *c, il_error *err)
     for (size_t k = 0; k < 3 * t->n; k++)
         if (t->edge[k] != IL_CHART_NONE)
             t->side[2 * (size_t)t->edge[k] + (is_left_of(c, t, k) ? 0 : 1)] = t->face[k / 3];
-    return share_sides(t, c) ? IL_OK : il_fail_nomem(err);
+    return IL_OK;
 }
 
 /* A face is inside when the frame must be crossed an odd number of times to leave it. */
@@ -281,6 +256,36 @@ static il_status drop_outside(il_tin *t, const il_chart *c, il_error *err)
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
+/* ---- lines along the frame ------------------------------------------------------- */
+
+static bool lies_nowhere(const il_tin *t, const il_chart *c, size_t e)
+{
+    return !is_frame(c, (uint32_t)e) && t->side[2 * e] == IL_CHART_NONE && t->side[2 * e + 1] == IL_CHART_NONE;
+}
+
+/* Edges of lines that run along the frame have its sides. */
+static bool share_sides(il_tin *t, const il_chart *c)
+{
+    il_keymap frame = IL_KEYMAP_INIT;
+    bool any = false, ok = true;
+    for (size_t e = 0; e < c->n_edges; e++)
+        any = any || lies_nowhere(t, c, e);
+    for (size_t e = 0; any && ok && e < c->n_edges; e++)
+        ok = !is_frame(c, (uint32_t)e) || il_keymap_put(&frame, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
+    for (size_t e = 0; any && ok && e < c->n_edges; e++) {
+        uint32_t f = IL_CHART_NONE;
+        if (lies_nowhere(t, c, e))
+            f = il_keymap_get(&frame, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), IL_CHART_NONE);
+        if (f == IL_CHART_NONE)
+            continue;
+        bool alike = c->edge[2 * e] == c->edge[2 * (size_t)f];
+        t->side[2 * e] = t->side[2 * (size_t)f + (alike ? 0 : 1)];
+        t->side[2 * e + 1] = t->side[2 * (size_t)f + (alike ? 1 : 0)];
+    }
+    il_keymap_free(&frame);
+    return ok;
+}
+
 /* ---- building ----------------------------------------------------------------- */
 
 static il_status export(il_tin *t, const il_chart *c, size_t *found, il_error *err)
@@ -324,7 +329,9 @@ il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *er
     st = find_faces(t, err);
     if (st == IL_OK)
         st = find_sides(t, c, err);
-    return st == IL_OK ? drop_outside(t, c, err) : st;
+    if (st == IL_OK)
+        st = drop_outside(t, c, err);
+    return st == IL_OK && !share_sides(t, c) ? il_fail_nomem(err) : st;
 }
 
 il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err)
@@ -368,7 +375,8 @@ il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border,
     *n_faces = t->n_faces;
     for (size_t e = 0; e < c->n_edges; e++) {
         const uint32_t *side = t->side + 2 * e, *v = c->edge + 2 * e;
-        if (is_frame(c, (uint32_t)e) || t->cliff[2 * e] >= 0 || (side[0] == IL_CHART_NONE && side[1] == IL_CHART_NONE))
+        /* one face on both sides, or none: a spike, or outside */
+        if (is_frame(c, (uint32_t)e) || t->cliff[2 * e] >= 0 || side[0] == side[1])
             continue;
         double length = hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
         if (*n > 0 && is_same_stretch(&(*border)[*n - 1], side, c->owner[e], t->n_faces)) {

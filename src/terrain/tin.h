@@ -12,7 +12,8 @@
  * to, IL_CHART_NONE outside the frame.
  * side[2*e], side[2*e + 1]: the faces to the left and right of edge e of the chart, on either
  * side; of several edges between the same nodes one has them, and cliff[2*e], cliff[2*e + 1] are
- * the lowest and the highest of their levels then; -1 for others. */
+ * the lowest and the highest of their levels then, if those differ or an even number of lines
+ * of one level part nothing; -1 for others.  n_cliffs: such edges. */
 typedef struct il_tin {
     il_triangulation *triangulation;
     uint32_t *corner, *across, *edge, *face;
@@ -34,7 +35,7 @@ il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *er
 il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err);
 
 /* The stretches of lines between faces, as il_bands_label takes them, but for cliffs, which do
- * not tell what is on which side; border[n] is the caller's.  What lies beyond lines that run along the frame counts as *N_FACES - T's faces
+ * not tell what is on which side, and spikes, where a line goes and comes back; border[n] is the caller's.  What lies beyond lines that run along the frame counts as *N_FACES - T's faces
  * more, one a stretch. */
 il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, size_t *n_faces, il_error *err);
 

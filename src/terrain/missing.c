@@ -89,10 +89,13 @@ static bool draw_level(drawing *d, size_t triangle, int32_t level)
     double z = c->level_z[level];
     uint32_t end[2];
     size_t n = 0;
-    for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++) {
-        bool below = z_of(d, k) < z, next_below = z_of(d, after(k)) < z;
-        if (below != next_below)
-            end[n++] = node_between(d, below ? k : after(k), below ? after(k) : k, level);
+    bool below[3]; /* beforehand: a corner of the frame so near to the level that the line runs through it rises to it */
+    for (size_t i = 0; i < 3; i++)
+        below[i] = z_of(d, 3 * triangle + i) < z;
+    for (size_t i = 0; i < 3; i++) {
+        size_t k = 3 * triangle + i;
+        if (below[i] != below[(i + 1) % 3])
+            end[n++] = node_between(d, below[i] ? k : after(k), below[i] ? after(k) : k, level);
     }
     /* the higher ground on the left, as nobody else has a say */
     return n < 2 || draw(d, end[0], end[1], level);

@@ -53,7 +53,7 @@ wrong 3 'far.loft:[0-9]*' "a conversion that leaves 1e15" "$ISOLOFT" far.loft --
 printf 'isoloft 1\nunit mm\nstack "one"\nslice 0\nring\n0 0\n9 0\n9 9\nend\n' >one.loft
 wrong 3 'one.loft\(:[0-9]*\)\?' "one slice makes no solid" "$ISOLOFT" one.loft -o old/file -t stl
 block mm ring '' | sed '/^stack/a kind terrain' >terrain.loft
-wrong 3 'terrain.loft\(:[0-9]*\)\?' "terrain is for later" "$ISOLOFT" terrain.loft -o old/file -t stl
+wrong 3 'terrain.loft\(:[0-9]*\)\?' "one level of terrain does not tell which side is high" "$ISOLOFT" terrain.loft -o old/file -t stl
 printf 'isoloft 1\nend\n' >none.loft
 wrong 3 none.loft "nothing" "$ISOLOFT" none.loft -o old/file -t stl
 wrong 3 "$vase" "no stack that matches" "$ISOLOFT" "$vase" --stack x -o old/file -t stl

@@ -95,7 +95,7 @@ fi
 keys() { grep -o '"[A-Za-z_]*" *:' | tr -d '": ' | sort -u; }
 "$ISOLOFT" info --json "$valid/v_several_stacks.loft" 2>/dev/null | keys >"$TMPDIR/keys"
 "$ISOLOFT" info --json "$valid/v_ring_short.loft" 2>/dev/null | keys >>"$TMPDIR/keys"
-"$ISOLOFT" info --json "$valid/v_kind_terrain.loft" 2>/dev/null | keys >>"$TMPDIR/keys"
+"$ISOLOFT" info --json --high left "$valid/v_kind_terrain.loft" 2>/dev/null | keys >>"$TMPDIR/keys"
 
 summary_keys_are_described() {
     [ -s "$TMPDIR/keys" ] || return 1

@@ -80,7 +80,11 @@ starve "so does the list of a structure set" "$ISOLOFT" --list --roi '[VE]*' "$s
 starve "and a tilted one, turned" "$ISOLOFT" "$srcdir/formats/dcmdump/valid/v_tilted.txt" --ras -o box/t.stl
 printf 'isoloft 1\nunit m\nstack "hill"\nkind terrain\nslice 5\nline\n0 0\n1 0\n2 0\nline\n1 0\n2 0\n3 0\nline\n3.5 0\n9 0\nline\n7 7\nring\n0 5\n1 5\n1 6\nend\n' >lines.loft
 starve "so do isolines, joined" "$ISOLOFT" read lines.loft --join 1 -o box/l.loft
-starve "and described" "$ISOLOFT" info lines.loft
+starve "and listed" "$ISOLOFT" --list lines.loft
+printf 'isoloft 1\nunit m\nstack "hill"\nkind terrain\nslice 5\nring\n30 0\n60 30\n30 60\n0 30\nslice 10\nring\n30 20\n40 30\n30 40\n20 30\nslice 25\nline\n0 10\n2 2\n10 0\nend\n' >hill.loft
+starve "so do surfaces of terrain" "$ISOLOFT" hill.loft -o box/t.ply
+starve "and solids of it" "$ISOLOFT" hill.loft --solid --fit 100 -o box/t.stl
+starve "and described" "$ISOLOFT" info hill.loft
 # A few isolines, two of them of one line, in every format; degrees are projected.
 few() { relief "$1" | awk 'NR < 3 || NR > 8 { print $1, $2, $3, $4, $5, $6 } NR == 2 { print $1, $6, $7 }'; }
 echo "$map_forms" >forms
@@ -91,7 +95,7 @@ while read -r form reader units; do
 done <forms
 few degrees | map_as geojson degrees >map.geojson
 starve "and one joined over gaps, by one of its attributes" "$ISOLOFT" read map.geojson --height elev --join 500 --project utm -o box/m.loft
-starve "and described" "$ISOLOFT" info map.geojson --json
+starve "and listed" "$ISOLOFT" --list map.geojson --json
 awk 'BEGIN {
     print "min,max,wkt"
     for (k = 0; k < 4; k++)

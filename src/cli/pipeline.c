@@ -31,7 +31,8 @@ typedef struct pipeline {
     const il_reader *reader;
     il_destination *destination;
     il_output *pairs;
-    il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler, *select, *first;
+    il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler;
+    il_sink *select, *first;
     il_refit *refit;
     il_sink nowhere;
     il_mesh_sink nowhere_mesh;

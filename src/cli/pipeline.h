@@ -1,7 +1,7 @@
 /* pipeline.h - the stages put together and run.
  *
  *     reader > select > rescale > [ras] > clean > join > [gaps] > match > [pairs] > [round]
- *            > account > contour writer, or lofter > account > mesh writer
+ *            > account > contour writer, or relief (terrain) or lofter (solids) > account > mesh writer
  *
  * Rounding for STL is a cleaning stage of its own behind the matching, so that
  * `read | match | mesh` and `convert` do the same to the same numbers. */

@@ -12,11 +12,12 @@
 /* A point of the plane.  z: its height on the map, NAN while nothing gives it one (corners of
  * the frame, points put into faces).  level, top: index of the lowest and the highest level that
  * it lies on, which differ where lines run together; -1 on none; z is that of the lowest.
- * slice, ring, vertex: of the input, -1 for points that were put in.  is_frame: on it. */
+ * slice, ring, vertex: of the input, -1 for points that were put in.  is_frame: on it.  is_spot: z is that of
+ * a spot height. */
 typedef struct il_chart_node {
     double z;
     int32_t level, top, slice, ring, vertex;
-    bool is_frame;
+    bool is_frame, is_spot;
 } il_chart_node;
 
 /* An isoline of the map: ring RING of slice LEVEL.  left_out: it is not in the chart. */

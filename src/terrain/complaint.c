@@ -9,15 +9,15 @@ static const il_ring *ring_of(const il_complaint *c, uint32_t l)
     return &c->slice[c->line[l].level].ring[c->line[l].ring];
 }
 
-static const char *file_of(const il_complaint *c, const il_ring *r)
+static const char *file_of(const il_complaint *c, uint32_t file)
 {
-    return r->file < c->head->n_files ? c->head->file[r->file] : "-";
+    return file < c->head->n_files ? c->head->file[file] : "-";
 }
 
 /* Heights of a map in degrees are metres. */
-static const char *unit_of_heights(const il_stack_head *h)
+static const char *unit_of_heights(const il_complaint *c)
 {
-    return il_unit_name(h->unit == IL_UNIT_DEG ? IL_UNIT_M : h->unit);
+    return il_unit_name(c->unit == IL_UNIT_DEG ? IL_UNIT_M : c->unit);
 }
 
 void il_complaint_name(const il_complaint *c, uint32_t l, char *to, size_t n)
@@ -29,7 +29,7 @@ void il_complaint_name(const il_complaint *c, uint32_t l, char *to, size_t n)
         snprintf(where, sizeof where, " (feature %ld, line %ld)", r->feature, r->line);
     else if (r->feature > 0 || r->line > 0)
         snprintf(where, sizeof where, r->feature > 0 ? " (feature %ld)" : " (line %ld)", r->feature > 0 ? r->feature : r->line);
-    snprintf(to, n, "the isoline of %s %s%s", z, unit_of_heights(c->head), where);
+    snprintf(to, n, "the isoline of %s %s%s", z, unit_of_heights(c), where);
 }
 
 static void name_place(const double at[2], char to[2 * IL_NUMBER_MAX + 16])
@@ -52,12 +52,23 @@ void il_complaint_against(const il_complaint *c, uint32_t l, const double at[2],
     } else {
         snprintf(reason, sizeof reason, "%s, %s; left out", why, place);
     }
-    il_report_skip(c->report, file_of(c, r), r->line, name, reason);
+    il_report_skip(c->report, file_of(c, r->file), r->line, name, reason);
 }
 
 void il_complaint_left_out(const il_complaint *c, uint32_t l, const double at[2], const char *why)
 {
     il_complaint_against(c, l, at, why, UINT32_MAX);
+}
+
+void il_complaint_spot(const il_complaint *c, size_t i, const char *why)
+{
+    const il_spot *s = &c->head->spot[i];
+    char z[IL_NUMBER_MAX], what[96], where[40] = "";
+    il_number_format(z, s->z);
+    if (s->feature > 0)
+        snprintf(where, sizeof where, " (feature %ld)", s->feature);
+    snprintf(what, sizeof what, "the spot height %s %s%s", z, unit_of_heights(c), where);
+    il_report_skip(c->report, file_of(c, s->file), s->line, what, why);
 }
 
 void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const double at[2])

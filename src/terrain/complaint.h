@@ -5,9 +5,11 @@
 #include "model/report.h"
 #include "terrain/chart.h"
 
-/* Whom complaints are about, and where they go (REPORT may be null).  All borrowed. */
+/* Whom complaints are about, and where they go (REPORT may be null).  All borrowed.  unit: of
+ * the map. */
 typedef struct il_complaint {
     const il_stack_head *head;
+    il_unit unit;
     const il_slice *slice;
     const il_chart_line *line;
     size_t n_lines;
@@ -19,6 +21,9 @@ void il_complaint_left_out(const il_complaint *c, uint32_t l, const double at[2]
 
 /* The same, because of line OTHER (UINT32_MAX: of none): "WHY, against ...". */
 void il_complaint_against(const il_complaint *c, uint32_t l, const double at[2], const char *why, uint32_t other);
+
+/* Spot I of the head is left out: WHY. */
+void il_complaint_spot(const il_complaint *c, size_t i, const char *why);
 
 /* Between lines A and B others are missing, and were interpolated. */
 void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const double at[2]);

@@ -67,46 +67,6 @@ static bool find_widths(il_law *l, const il_tin *t)
     return ok;
 }
 
-/* ---- building ------------------------------------------------------------------- */
-
-static il_status build_borders(il_law *l, const il_tin *t, il_error *err)
-{
-    const il_chart *c = l->chart;
-    il_segment *s = il_alloc(2 * t->n_sides, sizeof *s);
-    size_t n = 0;
-    if (!s)
-        return il_fail_nomem(err);
-    for (size_t k = 0; k < 2 * t->n_sides; k++) {
-        uint32_t f = t->side[k];
-        const uint32_t *v = c->edge + k / 2 * 2;
-        if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
-            continue;
-        size_t upper = c->height[k / 2] > l->band[f].low;
-        s[n++] = (il_segment){ c->xy[2 * v[0]], c->xy[2 * v[0] + 1], c->xy[2 * v[1]], c->xy[2 * v[1] + 1], 2 * (size_t)f + upper, k / 2 };
-    }
-    return il_nearest_build(&l->borders, s, n, 2 * t->n_faces, err);
-}
-
-il_status il_law_build(il_law *l, const il_tin *t, const il_chart *c, const il_band *band, il_error *err)
-{
-    *l = (il_law){ .chart = c, .band = band };
-    if (!find_widths(l, t)) {
-        il_law_free(l);
-        return il_fail_nomem(err);
-    }
-    il_status st = build_borders(l, t, err);
-    if (st != IL_OK)
-        il_law_free(l);
-    return st;
-}
-
-void il_law_free(il_law *l)
-{
-    il_free(l->width);
-    il_nearest_free(&l->borders);
-    *l = (il_law){ 0 };
-}
-
 /* ---- heights ---------------------------------------------------------------------- */
 
 /* The interval above level LOW, which may be -1 or the last: then that of its neighbour. */
@@ -132,12 +92,14 @@ static double dome(double t)
     return 0.5 * (1 - exp(-2 * t));
 }
 
-double il_law_height(const il_law *l, uint32_t face, double x, double y)
+/* Between the lines alone; *NEAREST: how far the nearest of them is. */
+static double height_of_lines(const il_law *l, uint32_t face, double x, double y, double *nearest)
 {
     const il_chart *c = l->chart;
     il_band b = l->band[face];
     double low = il_nearest_distance(&l->borders, 2 * (size_t)face, x, y);
     double high = il_nearest_distance(&l->borders, 2 * (size_t)face + 1, x, y);
+    *nearest = fmin(low, high);
     if (isfinite(low) && isfinite(high)) {
         double t = low + high > 0 ? low / (low + high) : 0.5;
         return c->level_z[b.low] + t * (c->level_z[b.high] - c->level_z[b.low]);
@@ -145,4 +107,101 @@ double il_law_height(const il_law *l, uint32_t face, double x, double y)
     bool above = isfinite(low);
     double d = above ? low : high, rise = l->width[face] > 0 ? dome(d / l->width[face]) : 0.5;
     return above ? c->level_z[b.low] + rise * interval_above(c, b.low) : c->level_z[b.high] - rise * interval_above(c, b.low);
+}
+
+/* Keep Z inside the band of FACE, off its levels. */
+static double clamp(const il_law *l, uint32_t face, double z)
+{
+    static const double MARGIN = 1 - IL_LAW_MOST;
+    const il_chart *c = l->chart;
+    il_band b = l->band[face];
+    double interval = interval_above(c, b.low);
+    double low = b.low >= 0 ? c->level_z[b.low] + MARGIN * interval : -INFINITY;
+    double high = b.high < (int32_t)c->n_levels ? c->level_z[b.high] - MARGIN * interval : INFINITY;
+    return fmin(fmax(z, low), high);
+}
+
+/* A spot lifts or lowers what is about it by its excess, all of it where it stands and nothing
+ * at the lines. */
+double il_law_height(const il_law *l, uint32_t face, double x, double y)
+{
+    double to_line = 0, z = height_of_lines(l, face, x, y, &to_line);
+    il_near near;
+    if (!isfinite(to_line) || !il_nearest_point(&l->spots, face, x, y, &near))
+        return z;
+    double share = to_line + near.distance > 0 ? to_line / (to_line + near.distance) : 1;
+    return clamp(l, face, z + share * l->excess[near.id]);
+}
+
+/* ---- building ------------------------------------------------------------------- */
+
+static il_status build_borders(il_law *l, const il_tin *t, il_error *err)
+{
+    const il_chart *c = l->chart;
+    il_segment *s = il_alloc(2 * t->n_sides, sizeof *s);
+    size_t n = 0;
+    if (!s)
+        return il_fail_nomem(err);
+    for (size_t k = 0; k < 2 * t->n_sides; k++) {
+        uint32_t f = t->side[k];
+        const uint32_t *v = c->edge + k / 2 * 2;
+        if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
+            continue;
+        size_t upper = c->height[k / 2] > l->band[f].low;
+        s[n++] = (il_segment){ c->xy[2 * v[0]], c->xy[2 * v[0] + 1], c->xy[2 * v[1]], c->xy[2 * v[1] + 1], 2 * (size_t)f + upper, k / 2 };
+    }
+    return il_nearest_build(&l->borders, s, n, 2 * t->n_faces, err);
+}
+
+/* What each spot has beyond the lines. */
+static il_status build_spots(il_law *l, const il_tin *t, il_error *err)
+{
+    const il_chart *c = l->chart;
+    size_t n = 0, cap = 0;
+    il_segment *s = NULL;
+    unsigned char *seen = il_calloc(c->n_nodes, 1);
+    l->excess = il_alloc(c->n_nodes, sizeof *l->excess);
+    bool ok = seen && l->excess;
+    for (size_t k = 0; k < 3 * t->n && ok; k++) {
+        uint32_t v = t->corner[k], f = t->face[k / 3];
+        double x = c->xy[2 * (size_t)v], y = c->xy[2 * (size_t)v + 1], nearest;
+        if (!c->node[v].is_spot || f == IL_CHART_NONE || seen[v])
+            continue;
+        seen[v] = 1;
+        ok = il_grow(&s, &cap, n + 1, sizeof *s);
+        if (!ok)
+            break;
+        s[n++] = (il_segment){ x, y, x, y, f, v };
+        l->excess[v] = c->node[v].z - height_of_lines(l, f, x, y, &nearest);
+    }
+    il_free(seen);
+    if (!ok) {
+        il_free(s);
+        return il_fail_nomem(err);
+    }
+    return il_nearest_build(&l->spots, s, n, t->n_faces, err);
+}
+
+il_status il_law_build(il_law *l, const il_tin *t, const il_chart *c, const il_band *band, il_error *err)
+{
+    *l = (il_law){ .chart = c, .band = band };
+    if (!find_widths(l, t)) {
+        il_law_free(l);
+        return il_fail_nomem(err);
+    }
+    il_status st = build_borders(l, t, err);
+    if (st == IL_OK)
+        st = build_spots(l, t, err);
+    if (st != IL_OK)
+        il_law_free(l);
+    return st;
+}
+
+void il_law_free(il_law *l)
+{
+    il_free(l->width);
+    il_nearest_free(&l->borders);
+    il_nearest_free(&l->spots);
+    il_free(l->excess);
+    *l = (il_law){ 0 };
 }

@@ -15,12 +15,14 @@
 /* width[f]: how far apart the lines of face f lie on average, the mesh's unit; of a face with
  * one level, that of the faces around it; 0 where there is none.
  * borders: the edges of lines, class 2 f for those of face f's lower level, 2 f + 1 of its
- * upper. */
+ * upper.  spots: spot heights, in the class of their face, by their nodes; excess[node]: how much
+ * higher they are than the law has it without them. */
 typedef struct il_law {
     const il_chart *chart;
     const il_band *band;
     double *width;
-    il_nearest borders;
+    il_nearest borders, spots;
+    double *excess;
 } il_law;
 
 /* The law on the faces of T, which C's lines bound as BAND says. */

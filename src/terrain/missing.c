@@ -51,9 +51,9 @@ static uint32_t node_between(drawing *d, size_t j, size_t k, int32_t level)
     double z = c->level_z[level], za = z_of(d, j), zb = z_of(d, k), p[2];
     if (zb == z)
         return b;
-    double t = (z - za) / (zb - za);
+    const double *from = c->xy + 2 * (size_t)a, *to = c->xy + 2 * (size_t)b, t = (z - za) / (zb - za);
     for (int i = 0; i < 2; i++)
-        p[i] = il_placement_round(d->o, c->xy[2 * (size_t)a + (size_t)i] + t * (c->xy[2 * (size_t)b + (size_t)i] - c->xy[2 * (size_t)a + (size_t)i]));
+        p[i] = il_placement_round(d->o, from[i] + t * (to[i] - from[i]));
     uint32_t n = il_chart_node_at(c, p[0], p[1]);
     if (n != IL_CHART_NONE && c->node[n].level < 0) {
         c->node[n].level = c->node[n].top = c->node[n].slice = level;

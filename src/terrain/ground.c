@@ -1,0 +1,344 @@
+#include "config.h"
+#include "terrain/ground.h"
+#include "base/alloc.h"
+#include "terrain/cliff.h"
+#include "terrain/complaint.h"
+#include "terrain/crossing.h"
+#include "terrain/missing.h"
+#include "terrain/proof.h"
+#include "terrain/ridge.h"
+#include "terrain/spots.h"
+
+#include <math.h>
+
+void il_ground_free(il_ground *g)
+{
+    il_free(g->line);
+    il_free(g->level_z);
+    il_free(g->spot_out);
+    il_free(g->spot_node);
+    il_frame_free(&g->frame);
+    il_chart_free(&g->chart);
+    il_tin_free(&g->tin);
+    il_free(g->border);
+    il_bands_free(&g->bands);
+    il_law_free(&g->law);
+    il_skin_free(&g->skin);
+    g->line = NULL;
+    g->level_z = NULL;
+    g->spot_out = NULL;
+    g->spot_node = NULL;
+    g->border = NULL;
+}
+
+static const il_ring *ring_of(const il_ground *g, size_t l)
+{
+    return &g->slice[g->line[l].level].ring[g->line[l].ring];
+}
+
+static il_complaint complaint_of(const il_ground *g)
+{
+    return (il_complaint){ g->head, g->unit, g->slice, g->line, g->n_lines, g->report };
+}
+
+/* ---- lines -------------------------------------------------------------------- */
+
+static il_status list_lines(il_ground *g, il_error *err)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < g->n_slices; k++)
+        n += g->slice[k].n;
+    g->line = il_alloc(n, sizeof *g->line);
+    g->level_z = il_alloc(g->n_slices, sizeof *g->level_z);
+    g->spot_out = il_calloc(g->head->n_spots, 1);
+    g->spot_node = il_alloc(g->head->n_spots, sizeof *g->spot_node);
+    if (!g->line || !g->level_z || !g->spot_out || !g->spot_node)
+        return il_fail_nomem(err);
+    for (size_t k = 0; k < g->n_slices; k++) {
+        g->level_z[k] = g->slice[k].z;
+        for (size_t i = 0; i < g->slice[k].n; i++)
+            g->line[g->n_lines++] = (il_chart_line){ (int32_t)k, (int32_t)i, false };
+    }
+    return IL_OK;
+}
+
+/* Does a ray from P cross the frame an odd number of times? */
+static bool is_inside(const il_ground *g, const double p[2])
+{
+    bool in = false;
+    for (size_t i = 0; i < g->frame.rings.n; i++) {
+        const il_ring *r = &g->frame.rings.ring[i];
+        for (size_t v = 0; v < r->n; v++) {
+            const double *a = r->xy + 2 * v, *b = r->xy + 2 * (v + 1 < r->n ? v + 1 : 0);
+            if ((a[1] > p[1]) != (b[1] > p[1]))
+                in ^= (p[0] - a[0] < (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+        }
+    }
+    return in;
+}
+
+/* Open lines with an end inside the frame that does not reach it part nothing. */
+static void leave_out_loose(il_ground *g)
+{
+    il_complaint c = complaint_of(g);
+    size_t e = 0;
+    for (size_t l = 0; l < g->n_lines; l++) {
+        const il_ring *r = ring_of(g, l);
+        bool reaches[2] = { false, false };
+        for (; e < g->frame.n_ends && g->frame.end[e].level == (uint32_t)g->line[l].level &&
+               g->frame.end[e].ring == (uint32_t)g->line[l].ring; e++)
+            reaches[g->frame.end[e].last] = true;
+        const double *end = r->xy + (reaches[0] ? 2 * (r->n - 1) : 0), *other = r->xy + 2 * (r->n - 1);
+        if (!r->open || (reaches[0] && reaches[1]))
+            continue;
+        if (g->options->frame.kind == IL_FRAME_OUTLINE && !is_inside(g, end) && (reaches[0] || reaches[1] || !is_inside(g, other)))
+            continue;
+        g->line[l].left_out = true;
+        il_complaint_left_out(&c, (uint32_t)l, end, "it ends inside the map");
+    }
+}
+
+/* A place of the mesh on the map. */
+static void put_back(const il_ground *g, const double from[2], double to[2])
+{
+    const il_placement *p = &g->head->placement;
+    for (int i = 0; i < 2; i++)
+        to[i] = g->head->has_placement ? from[i] * p->scale[i] + p->offset[i] : from[i];
+}
+
+/* ---- faces and their bands ------------------------------------------------------ */
+
+static void forget_chart(il_ground *g)
+{
+    il_chart_free(&g->chart);
+    il_tin_free(&g->tin);
+}
+
+/* The chart as a planar graph, in triangles. */
+static il_status triangulate(il_ground *g, il_error *err)
+{
+    bool crosses = false;
+    il_tin_free(&g->tin);
+    il_status st = il_tin_build(&g->tin, &g->chart, &crosses, err);
+    if (st != IL_OK || !crosses)
+        return st;
+    st = il_chart_divide(&g->chart, g->options->placement.round_float, err);
+    if (st == IL_OK)
+        st = il_tin_build(&g->tin, &g->chart, &crosses, err);
+    return st == IL_OK && crosses ? il_fail(err, IL_E_INTERNAL, 0, "a map's lines cross though they were divided") : st;
+}
+
+static il_status draw_chart(il_ground *g, il_error *err)
+{
+    forget_chart(g);
+    g->chart.level_z = g->level_z;
+    g->chart.n_levels = g->n_slices;
+    il_status st = il_chart_build(&g->chart, g->slice, g->line, g->n_lines, &g->frame, g->head, &g->options->placement, err);
+    if (st == IL_OK && !il_spots_add(&g->chart, g->head, &g->options->placement, g->spot_out, g->spot_node))
+        st = il_fail_nomem(err);
+    return st == IL_OK ? triangulate(g, err) : st;
+}
+
+static il_status label(il_ground *g, size_t n_lines, il_error *err)
+{
+    il_free(g->border);
+    il_bands_free(&g->bands);
+    size_t n_faces = 0;
+    il_status st = il_tin_borders(&g->tin, &g->chart, &g->border, &g->n_borders, &n_faces, err);
+    if (st == IL_OK)
+        st = il_bands_label(&g->bands, g->border, g->n_borders, n_faces, n_lines, g->n_slices, g->options->high, err);
+    if (st == IL_OK && g->tin.n_cliffs > 0)
+        st = il_cliff_label(&g->tin, &g->chart, g->bands.band, err);
+    return st;
+}
+
+static void tell_discord(il_ground *g, const il_discord *d)
+{
+    il_complaint c = complaint_of(g);
+    double at[2];
+    put_back(g, d->at, at);
+    if (d->kind == IL_DISCORD_SIDES)
+        il_complaint_against(&c, d->line[0], at, d->is_below ? "both of its sides lie below it" : "both of its sides lie above it",
+                             d->line[1]);
+    else
+        il_complaint_missing(&c, d->line[0], d->line[1], at);
+}
+
+/* The bands of all faces; lines that contradict the others are left out, and what the rest
+ * parts is looked at anew. */
+static il_status find_bands(il_ground *g, il_error *err)
+{
+    il_status st = IL_OK;
+    do {
+        st = draw_chart(g, err);
+        if (st == IL_OK)
+            st = label(g, g->n_lines, err);
+        for (size_t k = 0; k < g->bands.n_discords && st == IL_OK; k++)
+            if (g->bands.n_left_out == 0 || g->bands.discord[k].kind == IL_DISCORD_SIDES)
+                tell_discord(g, &g->bands.discord[k]);
+        for (size_t l = 0; l < g->n_lines && st == IL_OK && g->bands.n_left_out > 0; l++)
+            g->line[l].left_out |= g->bands.left_out[l];
+    } while (st == IL_OK && g->bands.n_left_out > 0);
+    return st;
+}
+
+/* ---- heights --------------------------------------------------------------------- */
+
+static il_status build_law(il_ground *g, il_error *err)
+{
+    il_law_free(&g->law);
+    return il_law_build(&g->law, &g->tin, &g->chart, g->bands.band, err);
+}
+
+static il_status draw_missing(il_ground *g, il_error *err)
+{
+    size_t n = 0;
+    il_status st = il_missing_draw(&g->chart, &g->tin, &g->law, g->n_lines, &g->options->placement, &n, err);
+    if (st != IL_OK || n == 0)
+        return st;
+    il_report_repair(g->report, IL_REPAIR_MISSING_LINE, n);
+    st = triangulate(g, err);
+    if (st == IL_OK)
+        st = label(g, g->n_lines + g->n_slices, err);
+    return st == IL_OK ? build_law(g, err) : st;
+}
+
+/* Of the nodes that still have none, which are the frame's. */
+static void raise_rest(il_ground *g)
+{
+    il_chart *c = &g->chart;
+    for (size_t k = 0; k < 3 * g->tin.n; k++) {
+        uint32_t v = g->tin.corner[k], f = g->tin.face[k / 3];
+        if (f != IL_CHART_NONE && isnan(c->node[v].z))
+            c->node[v].z = il_law_height(&g->law, f, c->xy[2 * (size_t)v], c->xy[2 * (size_t)v + 1]);
+    }
+}
+
+static il_status find_heights(il_ground *g, il_error *err)
+{
+    il_status st = build_law(g, err);
+    if (st == IL_OK)
+        st = draw_missing(g, err);
+    if (st == IL_OK)
+        st = il_ridge_insert(&g->tin, &g->chart, &g->law, &g->options->placement, err);
+    if (st == IL_OK)
+        raise_rest(g);
+    return st;
+}
+
+/* ---- the mesh -------------------------------------------------------------------- */
+
+static il_status settle_heights(il_ground *g, il_error *err)
+{
+    double lowest = INFINITY, highest = -INFINITY, floor = 0;
+    for (size_t k = 0; k < 3 * g->tin.n; k++) {
+        if (g->tin.face[k / 3] == IL_CHART_NONE)
+            continue;
+        double z = il_cliff_z(&g->tin, &g->chart, g->bands.band, k);
+        lowest = fmin(lowest, z);
+        highest = fmax(highest, z);
+    }
+    il_status st = il_placement_settle(g->head, &g->options->placement, g->frame.box, lowest, highest, &floor, err);
+    g->floor = g->options->placement.solid ? il_placement_height(g->head, &g->options->placement, floor) : NAN;
+    return st;
+}
+
+static il_status make_mesh(il_ground *g, il_error *err)
+{
+    il_status st = settle_heights(g, err);
+    if (st == IL_OK)
+        st = il_skin_lay(&g->skin, &g->tin, &g->chart, g->bands.band, g->head, &g->options->placement, err);
+    if (st == IL_OK && g->options->placement.solid)
+        st = il_skin_close(&g->skin, &g->tin, &g->chart, g->floor, err);
+    if (st == IL_OK && g->skin.n_surface == 0)
+        st = il_fail(err, IL_E_INPUT, g->head->line, "no line of the map lies inside the frame");
+    return st == IL_OK ? il_skin_prove(&g->skin, &g->tin, &g->chart, g->head, &g->options->placement, g->floor, err) : st;
+}
+
+/* ---- lines that cannot all stay ------------------------------------------------------- */
+
+static double *measure_lines(const il_ground *g)
+{
+    double *length = il_alloc(g->n_lines, sizeof *length);
+    for (size_t l = 0; length && l < g->n_lines; l++)
+        length[l] = il_ring_length(ring_of(g, l));
+    return length;
+}
+
+/* longest[v]: of the lines through node V, where several levels meet, the longest. */
+static void find_longest(const il_ground *g, const double *length, uint32_t *longest)
+{
+    const il_chart *c = &g->chart;
+    for (size_t v = 0; v < c->n_nodes; v++)
+        longest[v] = IL_CHART_NONE;
+    for (size_t k = 0; k < 2 * c->n_edges; k++) {
+        uint32_t v = c->edge[k], l = c->owner[k / 2];
+        if (c->node[v].level == c->node[v].top || l >= g->n_lines)
+            continue;
+        if (longest[v] == IL_CHART_NONE || length[l] > length[longest[v]])
+            longest[v] = l;
+    }
+}
+
+/* Lines that run together with others so that no ground can stand there: of those that meet,
+ * the longest stays. */
+static il_status leave_out_meeting(il_ground *g, il_error *err)
+{
+    const il_chart *c = &g->chart;
+    il_complaint complaint = complaint_of(g);
+    double *length = measure_lines(g);
+    uint32_t *longest = il_alloc(c->n_nodes, sizeof *longest);
+    if (length && longest)
+        find_longest(g, length, longest);
+    for (size_t k = 0; length && longest && k < 2 * c->n_edges; k++) {
+        uint32_t v = c->edge[k], l = c->owner[k / 2], other = longest[v];
+        double at[2];
+        if (other == IL_CHART_NONE || l >= g->n_lines || g->line[l].left_out || g->line[l].level == g->line[other].level)
+            continue;
+        put_back(g, c->xy + 2 * (size_t)v, at);
+        g->line[l].left_out = true;
+        il_complaint_against(&complaint, l, at, "it meets another level", other);
+    }
+    bool ok = length && longest;
+    il_free(length);
+    il_free(longest);
+    return ok ? IL_OK : il_fail_nomem(err);
+}
+
+/* From the lines that are not left out to a mesh that is proved. */
+static il_status make_ground(il_ground *g, il_error *err)
+{
+    il_complaint complaint = complaint_of(g);
+    il_status st = find_bands(g, err);
+    if (st == IL_OK)
+        st = il_spots_judge(&g->chart, &g->tin, g->bands.band, &complaint, g->spot_out, g->spot_node, err);
+    if (st == IL_OK)
+        st = find_heights(g, err);
+    return st == IL_OK ? make_mesh(g, err) : st;
+}
+
+il_status il_ground_make(il_ground *g, il_error *err)
+{
+    g->unit = g->head->unit;
+    g->floor = NAN;
+    il_status st = list_lines(g, err);
+    if (st == IL_OK && g->n_lines == 0)
+        st = il_fail(err, IL_E_INPUT, g->head->line, "stack \"%.60s\" has no isolines", il_stack_head_name(g->head));
+    if (st == IL_OK)
+        st = il_frame_make(&g->frame, &g->options->frame, g->head, g->slice, g->n_slices, err);
+    if (st == IL_OK)
+        st = il_placement_choose(g->head, &g->options->placement, g->frame.box, err);
+    if (st == IL_OK) {
+        leave_out_loose(g);
+        st = make_ground(g, err);
+    }
+    if (st == IL_E_SURFACE && g->tin.n_cliffs > 0) {
+        il_error_clear(err);
+        st = leave_out_meeting(g, err);
+        il_skin_free(&g->skin);
+        st = st == IL_OK ? make_ground(g, err) : st;
+    }
+    if (st == IL_OK && g->skin.n_cliff > 0)
+        il_report_note(g->report, "isolines of different heights run together: %zu triangles stand upright", g->skin.n_cliff);
+    return st;
+}

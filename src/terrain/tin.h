@@ -35,8 +35,9 @@ il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *er
 il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err);
 
 /* The stretches of lines between faces, as il_bands_label takes them, but for cliffs, which do
- * not tell what is on which side, and spikes, where a line goes and comes back; border[n] is the caller's.  What lies beyond lines that run along the frame counts as *N_FACES - T's faces
- * more, one a stretch. */
+ * not tell what is on which side, and spikes, where a line goes and comes back; border[n] is
+ * the caller's.  What lies beyond lines that run along the frame counts as *N_FACES - T's
+ * faces more, one a stretch. */
 il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, size_t *n_faces, il_error *err);
 
 /* Twice the area of triangle T. */

@@ -6,6 +6,7 @@
 #include "terrain/cliff.h"
 #include "terrain/complaint.h"
 #include "terrain/crossing.h"
+#include "terrain/map-edge.h"
 #include "terrain/missing.h"
 #include "terrain/proof.h"
 #include "terrain/ridge.h"
@@ -386,12 +387,23 @@ static il_status make_ground(work *w, il_error *err)
     return st == IL_OK ? make_mesh(w, err) : st;
 }
 
+static il_status mark_map_edges(relief *r, il_error *err)
+{
+    size_t n = 0;
+    il_status st = il_map_edge_mark(r->slice, r->n, &r->options.frame, &r->head, &n, err);
+    if (n > 0)
+        il_report_note(r->report, "lines are closed along the edge of the map: %zu of their edges are no isolines", n);
+    return st;
+}
+
 static il_status build(relief *r, il_error *err)
 {
     work w = { .r = r, .floor = NAN };
     il_status st = list_lines(&w, err);
     if (st == IL_OK && w.n_lines == 0)
         st = il_fail(err, IL_E_INPUT, r->head.line, "stack \"%.60s\" has no isolines", il_stack_head_name(&r->head));
+    if (st == IL_OK)
+        st = mark_map_edges(r, err);
     if (st == IL_OK)
         st = il_frame_make(&w.frame, &r->options.frame, &r->head, r->slice, r->n, err);
     if (st == IL_OK)

@@ -112,6 +112,19 @@ static uint32_t node_of(drawing *d, const double map[2])
     return il_chart_node_at(d->c, p[0], p[1]);
 }
 
+/* Is the edge from vertex V of R to the next no isoline, but the map's edge? */
+static bool is_map_edge(const il_ring *r, size_t v)
+{
+    return r->mark && r->mark[v] & IL_VERTEX_MAP_EDGE;
+}
+
+/* Is vertex V of R on an edge that is an isoline? */
+static bool is_on_line(const il_ring *r, size_t v)
+{
+    bool is_before = v > 0 ? !is_map_edge(r, v - 1) : !r->open && !is_map_edge(r, r->n - 1);
+    return is_before || ((v + 1 < r->n || !r->open) && !is_map_edge(r, v));
+}
+
 static bool add_line(drawing *d, uint32_t l)
 {
     il_chart *c = d->c;
@@ -121,16 +134,18 @@ static bool add_line(drawing *d, uint32_t l)
         uint32_t node = node_of(d, r->xy + 2 * v);
         if (node == IL_CHART_NONE)
             return false;
-        il_chart_put_on(c, node, d->line[l].level);
         il_chart_node *n = &c->node[node];
-        if (n->vertex < 0 && !(r->mark && r->mark[v] & IL_VERTEX_INSERTED))
-            n->slice = d->line[l].level, n->ring = d->line[l].ring, n->vertex = (int32_t)v;
-        if (before != IL_CHART_NONE && !il_chart_add_edge(c, before, node, l, d->line[l].level))
+        if (is_on_line(r, v)) {
+            il_chart_put_on(c, node, d->line[l].level);
+            if (n->vertex < 0 && !(r->mark && r->mark[v] & IL_VERTEX_INSERTED))
+                n->slice = d->line[l].level, n->ring = d->line[l].ring, n->vertex = (int32_t)v;
+        }
+        if (v > 0 && !is_map_edge(r, v - 1) && !il_chart_add_edge(c, before, node, l, d->line[l].level))
             return false;
         first = first == IL_CHART_NONE ? node : first;
         before = node;
     }
-    return r->open || il_chart_add_edge(c, before, first, l, d->line[l].level);
+    return r->open || is_map_edge(r, r->n - 1) || il_chart_add_edge(c, before, first, l, d->line[l].level);
 }
 
 /* ---- the frame --------------------------------------------------------------- */
@@ -157,7 +172,10 @@ static bool add_feet(drawing *d)
         if (d->line[l].left_out)
             continue;
         const il_ring *r = &d->slice[e->level].ring[e->ring];
-        uint32_t end = node_of(d, r->xy + (e->last ? 2 * (r->n - 1) : 0)), foot = node_of(d, e->foot);
+        size_t v = e->last ? r->n - 1 : 0;
+        if (!is_on_line(r, v))
+            continue;
+        uint32_t end = node_of(d, r->xy + 2 * v), foot = node_of(d, e->foot);
         if (end == IL_CHART_NONE || foot == IL_CHART_NONE ||
             !il_chart_add_edge(d->c, e->last ? end : foot, e->last ? foot : end, l, d->line[l].level))
             return false;

@@ -61,7 +61,8 @@ void il_chart_drop_points(il_chart *c);
 /* A line of level LEVEL passes through NODE. */
 void il_chart_put_on(il_chart *c, uint32_t node, int32_t level);
 
-/* The chart of the lines line[n_lines] of slice[n_slices] that are not left out, and of FRAME.
+/* The chart of the lines line[n_lines] of slice[n_slices] that are not left out, without their
+ * edges that are marked as the map's, and of FRAME.
  * HEAD's placement is chosen.  Long pieces of the frame are divided, and those between two
  * ends of one level.  IL_E_NOMEM, IL_E_INPUT beyond 2^31 nodes. */
 il_status il_chart_build(il_chart *c, const il_slice *slice, const il_chart_line *line, size_t n_lines,

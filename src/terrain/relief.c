@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/forest.h"
 #include "terrain/ground.h"
+#include "terrain/map-edge.h"
 
 #include <math.h>
 #include <string.h>
@@ -131,10 +132,21 @@ static il_status hand_on(relief *r, const il_ground *g, il_error *err)
     return st == IL_OK ? r->next->end(r->next, &facts, err) : st;
 }
 
+static il_status mark_map_edges(relief *r, il_error *err)
+{
+    size_t n = 0;
+    il_status st = il_map_edge_mark(r->slice, r->n, &r->options.frame, &r->head, &n, err);
+    if (n > 0)
+        il_report_note(r->report, "lines are closed along the edge of the map: %zu of their edges are no isolines", n);
+    return st;
+}
+
 static il_status build(relief *r, il_error *err)
 {
     il_ground g = { .options = &r->options, .head = &r->head, .slice = r->slice, .n_slices = r->n, .report = r->report };
-    il_status st = il_ground_make(&g, err);
+    il_status st = mark_map_edges(r, err);
+    if (st == IL_OK)
+        st = il_ground_make(&g, err);
     if (st == IL_OK)
         st = hand_on(r, &g, err);
     il_ground_free(&g);

@@ -17,7 +17,8 @@ static const char *file_of(const il_complaint *c, const il_ring *r)
 /* Heights of a map in degrees are metres. */
 static const char *unit_of_heights(const il_stack_head *h)
 {
-    return il_unit_name(h->unit == IL_UNIT_DEG ? IL_UNIT_M : h->unit);
+    il_unit u = h->has_placement ? h->placement.unit : h->unit; /* a fit makes mm of the mesh */
+    return il_unit_name(u == IL_UNIT_DEG ? IL_UNIT_M : u);
 }
 
 void il_complaint_name(const il_complaint *c, uint32_t l, char *to, size_t n)

@@ -195,6 +195,8 @@ sed '$d' cone.loft >loose.loft
 printf 'slice 70\nline\n500300 4000200\n500301 4000201\n500302 4000200\nend\n' >>loose.loft
 exits 0 "a line that ends inside the map" "$ISOLOFT" loose.loft -o x.ply
 holds "is left out, and told with its line" grep -q "skipped: loose.loft:[0-9]*: .*70 m.*ends inside the map" err
+exits 0 "also where the mesh is in mm" "$ISOLOFT" loose.loft -o x.ply --fit 300
+holds "which the map is not" grep -q "skipped: loose.loft:[0-9]*: .*70 m .*ends inside the map" err
 rm -f x.ply
 exits 3 "--strict refuses it" "$ISOLOFT" loose.loft -o x.ply --strict
 holds "and writes nothing" test ! -e x.ply

@@ -75,6 +75,21 @@ static void the_longer_side_becomes_as_many_millimetres(void **state)
     }
 }
 
+static void numbers_that_stay_may_mean_other_lengths(void **state)
+{
+    (void)state;
+    il_placement_options o = IL_PLACEMENT_OPTIONS_INIT;
+    o.fit = 8000;
+    il_stack_head head = head_in(IL_UNIT_M);
+    double bottom;
+    il_error err = IL_ERROR_INIT;
+    assert_int_equal(place(&head, &o, box, 0, 90, &bottom, &err), IL_OK);
+    assert_true(head.has_placement && head.placement.scale[0] == 1 && head.unit == IL_UNIT_MM);
+    head = head_in(IL_UNIT_MM);
+    assert_int_equal(place(&head, &o, box, 0, 90, &bottom, &err), IL_OK);
+    assert_false(head.has_placement);
+}
+
 static void degrees_are_not_fitted(void **state)
 {
     (void)state;
@@ -241,6 +256,7 @@ int main(void)
         cmocka_unit_test(nothing_asked_for_changes_no_bit),
         cmocka_unit_test(rounding_alone_is_no_placement),
         cmocka_unit_test(the_longer_side_becomes_as_many_millimetres),
+        cmocka_unit_test(numbers_that_stay_may_mean_other_lengths),
         cmocka_unit_test(degrees_are_not_fitted),
         cmocka_unit_test(what_has_a_frame_of_its_own_is_not_placed),
         cmocka_unit_test(offsets_are_short_and_small_beside_the_map),

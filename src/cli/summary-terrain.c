@@ -121,7 +121,7 @@ static bool describe_placement(const il_stack_account *s, placement_text *t)
 {
     numbers_text(t->offset, sizeof t->offset, s->placement.offset);
     numbers_text(t->scale, sizeof t->scale, s->placement.scale);
-    return strcmp(t->offset, "0 0 0") != 0 || strcmp(t->scale, "1 1 1") != 0;
+    return s->mesh_unit != s->placement.unit || strcmp(t->offset, "0 0 0") != 0 || strcmp(t->scale, "1 1 1") != 0;
 }
 
 static const char way_back[] = "a vertex times scale plus offset is its place on the map";

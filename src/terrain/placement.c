@@ -47,9 +47,11 @@ static double shorten(double value, double size, double (*way)(double))
 
 /* ---- x and y ------------------------------------------------------------------- */
 
-static bool is_identity(const il_placement *p)
+/* A map as wide in metres as it is to be in mm keeps its numbers, but not their meaning. */
+static bool is_identity(const il_stack_head *head)
 {
-    bool same = true;
+    const il_placement *p = &head->placement;
+    bool same = head->unit == p->unit;
     for (int k = 0; k < 3; k++)
         same = same && p->offset[k] == 0 && p->scale[k] == 1;
     return same;
@@ -85,7 +87,7 @@ il_status il_placement_choose(il_stack_head *head, const il_placement_options *o
     for (int k = 0; k < 2 && o->recentre; k++)
         p.offset[k] = shorten(box[k] / 2 + box[2 + k] / 2, side / 1000, round);
     head->placement = p;
-    head->has_placement = !is_identity(&p);
+    head->has_placement = !is_identity(head);
     if (head->has_frame && (o->recentre || head->has_placement))
         return il_fail(err, IL_E_INPUT, head->line, "a map with a frame of its own stays where that puts it: --no-recentre, "
                        "and neither --fit nor --z-scale");
@@ -147,7 +149,7 @@ il_status il_placement_settle(il_stack_head *head, const il_placement_options *o
         return st;
     if (o->solid && o->recentre)
         head->placement.offset[2] = *bottom;
-    head->has_placement = !is_identity(&head->placement);
+    head->has_placement = !is_identity(head);
     return check_heights(head, o, *bottom, lowest, highest, err);
 }
 

@@ -84,21 +84,21 @@ static il_status list_lines(work *w, il_error *err)
     return IL_OK;
 }
 
-/* Open lines whose two ends do not both reach the frame part nothing. */
+/* Open lines that end inside the frame part nothing. */
 static void leave_out_loose(work *w)
 {
     il_complaint c = complaint_of(w);
     size_t e = 0;
     for (size_t l = 0; l < w->n_lines; l++) {
         const il_ring *r = ring_of(w, l);
-        bool reaches[2] = { false, false };
-        for (; e < w->frame.n_ends && w->frame.end[e].level == (uint32_t)w->line[l].level &&
-               w->frame.end[e].ring == (uint32_t)w->line[l].ring; e++)
-            reaches[w->frame.end[e].last] = true;
-        if (!r->open || (reaches[0] && reaches[1]))
+        const il_frame_end *end = NULL;
+        for (; e < w->frame.n_inside && w->frame.inside[e].level == (uint32_t)w->line[l].level &&
+               w->frame.inside[e].ring == (uint32_t)w->line[l].ring; e++)
+            end = end ? end : &w->frame.inside[e];
+        if (!end)
             continue;
         w->line[l].left_out = true;
-        il_complaint_left_out(&c, (uint32_t)l, r->xy + (reaches[0] ? 2 * (r->n - 1) : 0), "it ends inside the map");
+        il_complaint_left_out(&c, (uint32_t)l, r->xy + (end->last ? 2 * (r->n - 1) : 0), "it ends inside the map");
     }
 }
 
@@ -394,6 +394,9 @@ static il_status build(relief *r, il_error *err)
         st = il_fail(err, IL_E_INPUT, r->head.line, "stack \"%.60s\" has no isolines", il_stack_head_name(&r->head));
     if (st == IL_OK)
         st = il_frame_make(&w.frame, &r->options.frame, &r->head, r->slice, r->n, err);
+    if (w.frame.took_degrees)
+        il_report_note(r->report, "the outline's numbers are taken as degrees: the map was in degrees there, and has no lines "
+                       "where they would lie as lengths");
     if (st == IL_OK)
         st = il_placement_choose(&r->head, &r->options.placement, w.frame.box, err);
     if (st == IL_OK) {

@@ -114,7 +114,7 @@ static void free_map(il_slice *level, size_t n)
         il_slice_free(&level[k]);
 }
 
-/* The frame of MAP as text; then each end as "level ring first|last foot". */
+/* The frame of MAP as text; then each end as "level ring first|last foot|inside". */
 static char *frame_text(const char *map, const il_frame_options *o, char *to)
 {
     il_slice level[LEVELS];
@@ -133,6 +133,9 @@ static char *frame_text(const char *map, const il_frame_options *o, char *to)
     for (size_t k = 0; k < f.n_ends; k++)
         used += (size_t)snprintf(to + used, CONTOURS_TEXT - used, " | %u %u %s %.10g %.10g", f.end[k].level, f.end[k].ring,
                                  f.end[k].last ? "last" : "first", f.end[k].foot[0], f.end[k].foot[1]);
+    for (size_t k = 0; k < f.n_inside; k++)
+        used += (size_t)snprintf(to + used, CONTOURS_TEXT - used, " | %u %u %s inside", f.inside[k].level, f.inside[k].ring,
+                                 f.inside[k].last ? "last" : "first");
     il_frame_free(&f);
     il_frame_free(&f);
     free_map(level, n);
@@ -167,7 +170,7 @@ static void ends_near_the_box_are_led_to_it(void **state)
     (void)state;
     assert_frame(CORNERS "|1 50, 50 50, 98.5 40|3 70, 50 70, 50 99",
                  "0 0, 1 0, 100 0, 100 40, 100 99, 100 100, 99 100, 50 100, 0 100, 0 50, 0 1"
-                 " | 1 0 first 0 50 | 1 0 last 100 40 | 2 0 last 50 100");
+                 " | 1 0 first 0 50 | 1 0 last 100 40 | 2 0 last 50 100 | 2 0 first inside");
 }
 
 static void ends_on_the_box_but_for_rounding_lead_it_through_them(void **state)
@@ -176,14 +179,15 @@ static void ends_on_the_box_but_for_rounding_lead_it_through_them(void **state)
     assert_frame(CORNERS "|1e-8 50, 50 50, 50 0.00000001", "0 0, 1 0, 50 1e-08, 100 0, 100 99, 100 100, 99 100, 0 100, 1e-08 50, 0 1"
                  " | 1 0 first 1e-08 50 | 1 0 last 50 1e-08");
     assert_frame("o5 0, 100 0, 100 100, 0 100, 0 5|1e-8 2e-8, 50 50", "5 0, 100 0, 100 100, 0 100, 0 5, 1e-08 2e-08"
-                 " | 1 0 first 1e-08 2e-08");
+                 " | 1 0 first 1e-08 2e-08 | 1 0 last inside");
 }
 
 static void a_way_that_crosses_a_line_is_none(void **state)
 {
     (void)state;
     assert_frame(CORNERS "|1 50, 50 50|0.5 10, 0.5 90",
-                 "0 0, 1 0, 100 0, 100 99, 100 100, 99 100, 0 100, 0 90, 0 10, 0 1 | 2 0 first 0 10 | 2 0 last 0 90");
+                 "0 0, 1 0, 100 0, 100 99, 100 100, 99 100, 0 100, 0 90, 0 10, 0 1"
+                 " | 2 0 first 0 10 | 2 0 last 0 90 | 1 0 first inside | 1 0 last inside");
 }
 
 /* The second line ends behind the first, the third on the frame where the first would be led. */
@@ -191,16 +195,19 @@ static void ends_of_two_levels_come_to_two_places(void **state)
 {
     (void)state;
     assert_frame(CORNERS "|1 50, 50 40|2 50, 50 70",
-                 "0 0, 1 0, 100 0, 100 99, 100 100, 99 100, 0 100, 0 50.33333333, 0 50, 0 1 | 1 0 first 0 50 | 2 0 first 0 50.33333333");
+                 "0 0, 1 0, 100 0, 100 99, 100 100, 99 100, 0 100, 0 50.33333333, 0 50, 0 1 | 1 0 first 0 50 | 2 0 first 0 50.33333333"
+                 " | 1 0 last inside | 2 0 last inside");
     assert_frame(CORNERS "|1 50, 50 50|0 50, 50 70",
-                 "0 0, 1 0, 100 0, 100 99, 100 100, 99 100, 0 100, 0 50, 0 49.83333333, 0 1 | 1 0 first 0 49.83333333 | 2 0 first 0 50");
+                 "0 0, 1 0, 100 0, 100 99, 100 100, 99 100, 0 100, 0 50, 0 49.83333333, 0 1 | 1 0 first 0 49.83333333 | 2 0 first 0 50"
+                 " | 1 0 last inside | 2 0 last inside");
 }
 
 static void ends_of_one_level_may_share_a_place(void **state)
 {
     (void)state;
     assert_frame(CORNERS "|1 50, 50 50;0 50, 50 70",
-                 "0 0, 1 0, 100 0, 100 99, 100 100, 99 100, 0 100, 0 50, 0 1 | 1 0 first 0 50 | 1 1 first 0 50");
+                 "0 0, 1 0, 100 0, 100 99, 100 100, 99 100, 0 100, 0 50, 0 1 | 1 0 first 0 50 | 1 1 first 0 50"
+                 " | 1 0 last inside | 1 1 last inside");
 }
 
 static void a_map_without_area_is_refused(void **state)
@@ -222,7 +229,8 @@ static void a_hull_passes_all_vertices_on_it(void **state)
 {
     (void)state;
     il_frame_options o = { .kind = IL_FRAME_HULL };
-    assert_frame_of("o0 0, 4 0, 8 0, 4 4|0 3, 3 1, 2 3|4 4.01, 4 6", &o, "0 0, 4 0, 8 0, 4 6, 0 3 | 1 0 first 0 3 | 2 0 last 4 6");
+    assert_frame_of("o0 0, 4 0, 8 0, 4 4|0 3, 3 1, 2 3|4 4.01, 4 6", &o,
+                    "0 0, 4 0, 8 0, 4 6, 0 3 | 1 0 first 0 3 | 2 0 last 4 6 | 1 0 last inside | 2 0 first inside");
     assert_frame_of("0 0, 1 1, 3 3", &o, "the lines of the map enclose nothing: they lie on one straight line");
 }
 
@@ -265,7 +273,7 @@ static void ends_are_led_to_outlines_from_inside(void **state)
     il_frame_options o = { .kind = IL_FRAME_OUTLINE, .outline = &outline };
     assert_frame_of("1 50, 39 50|50 101, 50 61|45 50, 55 50|-1 20, 5 20|39.5 39, 20 20", &o,
                     "0 0, 100 0, 100 100, 0 100, 0 50; 40 40, 40 50, 40 60, 50 60, 60 60, 60 40"
-                    " | 0 0 first 0 50 | 0 0 last 40 50 | 1 0 last 50 60 | 4 0 first 40 40");
+                    " | 0 0 first 0 50 | 0 0 last 40 50 | 1 0 last 50 60 | 4 0 first 40 40 | 3 0 last inside | 4 0 last inside");
     assert_frame_of("200 200, 300 300", &o, "the outline lies beside the map");
     o.in_degrees = true;
     assert_frame_of("1 50, 39 50", &o, "the outline is in degrees and the map in m, of which nobody knows how they were projected");

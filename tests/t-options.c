@@ -134,7 +134,7 @@ static void what_makes_no_sense_is_a_usage_error(void **state)
     il_options o;
     il_error err;
     static const char *const lines[] = {
-        "--frame x", "--no-such x", "--no-output x", "-z x", "x -o", "x --threads", "x --threads 0", "x --threads 257",
+        "x --frame", "--no-such x", "--no-output x", "-z x", "x -o", "x --threads", "x --threads 0", "x --threads 257",
         "x --threads 1x", "x --threads=-1", "x --threads 99999999999999999999", "x --spacing 0", "x --spacing -1",
         "x --spacing nan", "x --spacing 1e15", "x --spacing 1,5", "x --unit parsec", "x --to deg", "x --to",
         "x --cap none", "x --groups x", "read x --groups slab", "check --strict x", "x --matcher x",

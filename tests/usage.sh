@@ -28,7 +28,7 @@ for word in --help --formats --version; do echo $word; done | sort -u - told | g
 sort -u known | grep -v -x -e --no- >known.all
 holds "help and manual know the same options" diff known.all told.all
 
-for line in "--frame bbox x" "--gap close x" "--thickness 0 x" "--matcher x y" "plot x -o y.png" "plot x -t stl" "x -o y.zip" "mesh --spacing 3 x" "-t nonsense x" "x --threads 0" "- -"; do
+for line in "--frame - x" "--gap close x" "--thickness 0 x" "--matcher x y" "plot x -o y.png" "plot x -t stl" "x -o y.zip" "mesh --spacing 3 x" "-t nonsense x" "x --threads 0" "- -"; do
     # shellcheck disable=SC2086 # words of a line
     exits 2 "refused: $line" "$ISOLOFT" $line
     holds "in one line" one_error

@@ -273,6 +273,18 @@ static il_status set_join(il_options *o, const char *value, bool on, il_error *e
     return on && strcmp(value, "0") != 0 ? parse_length(value, &o->join, "--join", err) : IL_OK;
 }
 
+/* Files of these names are ./bbox and ./hull. */
+static il_status set_frame(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    bool bbox = strcmp(value, "bbox") == 0, hull = strcmp(value, "hull") == 0;
+    if (strcmp(value, "-") == 0 || !*value)
+        return il_fail(err, IL_E_USAGE, 0, "--frame takes bbox, hull or the name of a file");
+    o->relief.frame.kind = bbox ? IL_FRAME_BBOX : hull ? IL_FRAME_HULL : IL_FRAME_OUTLINE;
+    o->frame_file = bbox || hull ? NULL : value;
+    return IL_OK;
+}
+
 static il_status set_solid(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)value;
@@ -501,6 +513,8 @@ const il_option il_option_table[] = {
       NULL, "maps of one level: the higher side of its lines", set_high },
     { 0, "join", "D", IL_OPTION_VALUE_OR_NO, STREAMS,
       NULL, "maps: join ends no farther apart; else 0", set_join },
+    { 0, "frame", "FILE", IL_OPTION_VALUE, LOFTERS,
+      NULL, "maps: where they end: bbox, hull or an outline", set_frame },
     { 0, "solid", NULL, IL_OPTION_SWITCH, LOFTERS,
       "maps: a closed solid; --fit 150mm: to print", "maps: a closed solid, with walls and a floor", set_solid },
     { 0, "base", "H", IL_OPTION_VALUE, LOFTERS,

@@ -52,7 +52,8 @@ typedef struct il_options {
     il_cap cap;
     il_gap_mode gap;
     double thickness;
-    il_relief_options relief;   /* threads and what comes of the formats: see pipeline.c */
+    il_relief_options relief;   /* threads and what comes of the formats and of --frame's file: see pipeline.c */
+    const char *frame_file;     /* of IL_FRAME_OUTLINE */
     il_picture_options picture;
     double join;                /* how far apart ends of lines may be that are joined, in the unit of the stacks */
     il_matcher matcher;

@@ -5,6 +5,7 @@
 #include "cli/destination.h"
 #include "cli/index.h"
 #include "cli/nowhere.h"
+#include "cli/frame-file.h"
 #include "cli/progress.h"
 #include "cli/select.h"
 #include "cli/stopwatch.h"
@@ -32,7 +33,8 @@ typedef struct pipeline {
     il_destination *destination;
     il_output *pairs;
     il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler;
-    il_sink *select, *first;
+    il_sink *select, *guard, *first;
+    il_frame_file outline;
     il_refit *refit;
     il_sink nowhere;
     il_mesh_sink nowhere_mesh;
@@ -97,6 +99,7 @@ static const struct { const char *option, *what, *format; bool any_map; } meanin
     { "high", "isolines", "loft", true },
     { "layer", "DXF drawings", "dxf", false },
     { "join", "isolines", "loft", true },
+    { "frame", "isolines", "loft", true },
     { "solid", "isolines", "loft", true },
     { "base", "isolines", "loft", true },
     { "z-scale", "isolines", "loft", true },
@@ -171,6 +174,8 @@ static il_status build_surfaces(pipeline *p, il_mesh_sink *meshes, il_error *err
     l.progress_self = p->account;
     il_relief_options r = o->relief;
     r.threads = l.threads;
+    if (o->frame_file)
+        r.frame = il_frame_file_frame(&p->outline);
     il_status st = il_lofter_new(&p->lofter, &l, meshes, err);
     if (st == IL_OK)
         st = il_relief_new(&p->relief, &r, meshes, p->lofter, &p->account->report, err);
@@ -187,7 +192,9 @@ static il_status build_end(pipeline *p, il_sink **end, il_error *err)
     }
     il_mesh_sink *meshes = p->plan->survey ? &p->nowhere_mesh : il_destination_meshes(p->destination);
     il_status st = build_surfaces(p, il_account_meshes(p->account, meshes), err);
-    *end = p->relief;
+    if (st == IL_OK && p->options->frame_file)
+        st = il_frame_file_guard_new(&p->guard, &p->outline, p->relief, err);
+    *end = p->guard ? p->guard : p->relief;
     return st;
 }
 
@@ -324,7 +331,9 @@ static void free_pipeline(pipeline *p)
     il_tee_free(p->tee);
     if (p->rounder)
         il_cleaner_free(p->rounder);
+    il_frame_file_guard_free(p->guard);
     il_relief_free(p->relief);
+    il_frame_file_free(&p->outline);
     if (p->lofter)
         il_lofter_free(p->lofter);
     if (p->pairs_writer)
@@ -360,6 +369,8 @@ static il_status run(pipeline *p, il_error *err)
         st = find_reader(p, err);
     if (st == IL_OK)
         st = check_reader(p, err);
+    if (st == IL_OK && p->options->frame_file)
+        st = il_frame_file_read(&p->outline, p->options->frame_file, &read, &p->account->report, err);
     if (st == IL_OK)
         st = open_outputs(p, err);
     /* A native stream without stacks is whole, and is handed on as one. */
@@ -377,6 +388,7 @@ static il_status run(pipeline *p, il_error *err)
 static const char *note_on_solids(const il_options *o)
 {
     static const struct { const char *option, *note; } c[] = {
+        { "frame", "--frame is for terrain, which this is not" },
         { "solid", "--solid is for terrain, which this is not" }, { "z-scale", "--z-scale is for terrain, which this is not" },
         { "fit", "--fit is for terrain, which this is not" }, { "recentre", "--recentre is for terrain, which this is not" },
         { "high", "--high is for terrain, which this is not" } };
@@ -397,7 +409,7 @@ il_status il_pipeline_run(il_result *result, const il_options *o, const il_plan 
 {
     double start = il_clock_seconds();
     pipeline p = { .options = o, .plan = plan, .account = &result->account,
-                   .nowhere = il_nowhere_contours(), .nowhere_mesh = il_nowhere_meshes() };
+                   .outline = IL_FRAME_FILE_INIT, .nowhere = il_nowhere_contours(), .nowhere_mesh = il_nowhere_meshes() };
     bool folder = o->output && il_destination_is_folder(o->output);
     il_account_options a = { .keep_going = plan->survey || folder, .strict = o->strict, .voice = voice,
                              .no_unit = plan->loft && !plan->survey && o->to->round_float,

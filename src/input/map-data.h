@@ -2,6 +2,8 @@
  *
  * They work on it one after the other, in place (map-set.c, il_map_read):
  *     map-set      parsers fill it, map-spots the points by themselves
+ *     map-outline  instead of all that follows but map-degrees and map-stack, where the
+ *                  edge of a map is asked for
  *     map-heights  where the heights stand, and each line's height
  *     map-degrees  whether x and y are degrees; one run of longitudes
  *     map-borders  polygons become the lines between them

@@ -5,6 +5,7 @@
 #include "input/map-borders.h"
 #include "input/map-degrees.h"
 #include "input/map-heights.h"
+#include "input/map-outline.h"
 #include "input/map-project.h"
 #include "input/map-spots.h"
 #include "input/map-stack.h"
@@ -347,17 +348,12 @@ static il_status parse_all(il_map_set *s, il_map_parse *parse, il_source *const 
 /* What the set turns out to be is said of the first file, if no place is known. */
 static il_status make_stack(il_map *m, il_sink *sink, il_error *err)
 {
-    il_status st = il_map_find_heights(m, err);
-    if (st == IL_OK)
-        st = il_map_find_degrees(m, err);
-    if (st == IL_OK)
-        st = il_map_find_borders(m, err);
-    if (st == IL_OK)
-        st = il_map_settle_units(m, err);
-    if (st == IL_OK)
-        st = il_map_trim(m, err);
-    if (st == IL_OK)
-        st = il_map_project(m, err);
+    static il_status (*const outline[])(il_map *, il_error *) = { il_map_take_outline, NULL };
+    static il_status (*const isolines[])(il_map *, il_error *) = {
+        il_map_find_heights, il_map_find_degrees, il_map_find_borders, il_map_settle_units, il_map_trim, il_map_project, NULL };
+    il_status st = IL_OK;
+    for (il_status (*const *step)(il_map *, il_error *) = m->options->map.outline ? outline : isolines; *step && st == IL_OK; step++)
+        st = (*step)(m, err);
     if (st != IL_OK)
         il_error_set_file(err, m->file[0]);
     return st == IL_OK ? il_map_emit(m, sink, err) : st;

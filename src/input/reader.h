@@ -17,7 +17,8 @@ typedef enum il_project { IL_PROJECT_AUTO, IL_PROJECT_UTM, IL_PROJECT_TM, IL_PRO
  * height: the attribute that holds the heights, without regard to case, "z" for the
  * z coordinates, "LOW,HIGH" for the two of a band; null when not given.  z_unit: of
  * the heights.  layer: the patterns of --layer (base/pattern.h).  high: on which
- * side of the lines the ground is higher, for maps of one level. */
+ * side of the lines the ground is higher, for maps of one level.  outline: what is read
+ * is no map but the edge of one: all closed lines, as one slice at 0; degrees stay. */
 typedef struct il_map_options {
     const char *height;
     il_depth depth;
@@ -27,6 +28,7 @@ typedef struct il_map_options {
     const char **layer;
     size_t n_layers, cap_layers;
     il_side high;
+    bool outline;
 } il_map_options;
 
 /* What the user may say about the input.  spacing: distance of slices that
@@ -53,7 +55,7 @@ enum {
 };
 
 #define IL_READ_OPTIONS_INIT { 0, false, false, false, IL_UNIT_MM, 0, IL_LIMIT_LINE, IL_LIMIT_DEPTH, IL_LIMIT_POINTS, \
-    { NULL, IL_DEPTH_AUTO, false, IL_UNIT_M, IL_PROJECT_AUTO, NULL, 0, 0, IL_SIDE_UNKNOWN }, 0 }
+    { NULL, IL_DEPTH_AUTO, false, IL_UNIT_M, IL_PROJECT_AUTO, NULL, 0, 0, IL_SIDE_UNKNOWN, false }, 0 }
 
 /* name: as after -f.  extensions: space-separated, without the point.
  * words: for --formats.  is_patient: structures that a person drew in a patient;

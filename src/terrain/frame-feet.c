@@ -309,8 +309,11 @@ static il_status keep_led(feet *f, il_frame *out, il_error *err)
 {
     for (size_t k = 0; k < f->stops->n_loose; k++) {
         il_loose_end *l = &f->stops->loose[k];
-        if (!f->is_led[k])
+        if (!f->is_led[k]) {
+            if (!il_frame_add_inside(out, &l->end))
+                return il_fail_nomem(err);
             continue;
+        }
         memcpy(l->end.foot, l->foot.at, sizeof l->end.foot);
         if (!il_stops_add(f->stops, &l->foot) || !il_frame_add_end(out, &l->end))
             return il_fail_nomem(err);

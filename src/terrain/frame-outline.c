@@ -64,17 +64,23 @@ static il_status add_projected(drawing *d, const il_ring *r, il_error *err)
     return st;
 }
 
-/* The outline's size in the plane, by its box in degrees at the middle of the map. */
-static double size_of(const il_slice *outline, const il_stack_head *head)
+static void find_box(const il_slice *outline, double box[4])
 {
-    static const double metres_a_degree = 111195;
-    double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
+    box[0] = box[1] = INFINITY;
+    box[2] = box[3] = -INFINITY;
     for (size_t i = 0; i < outline->n; i++)
         for (size_t k = 0; k < 2 * outline->ring[i].n; k++) {
             box[k % 2] = fmin(box[k % 2], outline->ring[i].xy[k]);
             box[2 + k % 2] = fmax(box[2 + k % 2], outline->ring[i].xy[k]);
         }
-    double lat = (head->geographic[1] + head->geographic[3]) / 2 * 3.14159265358979323846 / 180;
+}
+
+/* The outline's size in the plane, by its box in degrees at the middle of the map. */
+static double size_of(const il_slice *outline, const il_stack_head *head)
+{
+    static const double metres_a_degree = 111195;
+    double box[4], lat = (head->geographic[1] + head->geographic[3]) / 2 * 3.14159265358979323846 / 180;
+    find_box(outline, box);
     return metres_a_degree * il_frame_scale(head) * fmax((box[2] - box[0]) * cos(lat), box[3] - box[1]);
 }
 
@@ -103,15 +109,55 @@ static il_status add_degrees(il_frame_sides *s, const il_slice *outline, const i
     return st;
 }
 
-il_status il_frame_outline_add(il_frame_sides *s, const il_frame_options *o, const il_stack_head *head, il_error *err)
+/* ---- what its numbers are --------------------------------------------------- */
+
+static bool boxes_meet(const double *a, const double *b)
 {
+    return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
+}
+
+/* What the outline's numbers are multiplied by: those of the map were since they were read. */
+static double factor_of(const il_frame_options *o, const il_stack_head *head)
+{
+    double from = o->has_unit ? il_unit_metres(o->unit) : 0, to = il_unit_metres(head->unit);
+    if (from > 0 && to > 0)
+        return from == to ? 1 : from / to;
+    return !o->has_unit && head->length_scale > 0 ? head->length_scale : 1;
+}
+
+/* Where nobody said what they are. */
+static bool are_degrees(const il_frame_options *o, const il_stack_head *head, const double lines[4], double factor)
+{
+    double box[4], scaled[4];
+    find_box(o->outline, box);
+    for (int k = 0; k < 4; k++)
+        scaled[k] = box[k] * factor;
+    return head->has_geographic && !boxes_meet(scaled, lines) && boxes_meet(box, head->geographic);
+}
+
+static il_status add_scaled(il_frame_sides *s, const il_slice *outline, double factor, il_error *err)
+{
+    il_slice copy;
+    il_status st = il_slice_copy(&copy, outline, err);
+    for (size_t i = 0; i < copy.n && st == IL_OK; i++) {
+        for (size_t k = 0; k < 2 * copy.ring[i].n; k++)
+            copy.ring[i].xy[k] *= factor;
+        if (copy.ring[i].n > 2 && !il_frame_sides_add(s, copy.ring[i].xy, copy.ring[i].n))
+            st = il_fail_nomem(err);
+    }
+    il_slice_free(&copy);
+    return st;
+}
+
+il_status il_frame_outline_add(il_frame_sides *s, const il_frame_options *o, const il_stack_head *head,
+                               const double lines[4], il_error *err)
+{
+    double factor = factor_of(o, head);
     if (o->in_degrees && head->unit != IL_UNIT_DEG && !head->has_geographic)
         return il_fail(err, IL_E_INPUT, 0, "the outline is in degrees and the map in %s, of which nobody knows how they were projected",
                        il_unit_name(head->unit));
-    if (o->in_degrees)
+    s->took_degrees = !o->in_degrees && o->may_be_degrees && are_degrees(o, head, lines, factor);
+    if (o->in_degrees || s->took_degrees)
         return add_degrees(s, o->outline, head, err);
-    for (size_t i = 0; i < o->outline->n; i++)
-        if (o->outline->ring[i].n > 2 && !il_frame_sides_add(s, o->outline->ring[i].xy, o->outline->ring[i].n))
-            return il_fail_nomem(err);
-    return IL_OK;
+    return add_scaled(s, o->outline, factor, err);
 }

@@ -6,7 +6,9 @@
 
 /* Add the rings of O's outline to S, those in degrees projected like the map with head
  * HEAD, in chords that are off by at most a millionth of the outline; S's slack is how far.
- * IL_E_INPUT where nobody knows how the map was projected, IL_E_NOMEM. */
-il_status il_frame_outline_add(il_frame_sides *s, const il_frame_options *o, const il_stack_head *head, il_error *err);
+ * LINES: the box of the map's.  IL_E_INPUT where nobody knows how the map was projected,
+ * IL_E_NOMEM. */
+il_status il_frame_outline_add(il_frame_sides *s, const il_frame_options *o, const il_stack_head *head,
+                               const double lines[4], il_error *err);
 
 #endif

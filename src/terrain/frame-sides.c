@@ -115,7 +115,7 @@ static il_status add_sides(il_frame_sides *s, const il_frame_options *o, const i
                            const il_slice *level, size_t n_levels, const double box[4], il_error *err)
 {
     if (o->kind == IL_FRAME_OUTLINE)
-        return il_frame_outline_add(s, o, head, err);
+        return il_frame_outline_add(s, o, head, box, err);
     if (o->kind == IL_FRAME_HULL)
         return il_frame_hull_add(s, level, n_levels, err);
     return il_frame_is_curved(head) ? il_frame_curves_make(s, head, err) : add_box(s, box, err);

@@ -24,12 +24,13 @@ typedef struct il_frame_curves {
 
 /* side[n], ring by ring.  tree: of them, one class, by their numbers.  box: of them (least
  * x and y, greatest x and y).  rounding: places no farther apart are one.  slack: how far
- * from its sides lies what lies on the frame: more, where the sides are chords. */
+ * from its sides lies what lies on the frame: more, where the sides are chords.
+ * took_degrees: as in il_frame. */
 typedef struct il_frame_sides {
     il_frame_side *side;    size_t n, cap;
     il_nearest tree;
     double box[4], rounding, slack;
-    bool is_curved;
+    bool is_curved, took_degrees;
     il_frame_curves curves;
 } il_frame_sides;
 

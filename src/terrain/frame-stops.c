@@ -32,6 +32,15 @@ bool il_frame_add_end(il_frame *f, const il_frame_end *e)
     return true;
 }
 
+bool il_frame_add_inside(il_frame *f, const il_frame_end *e)
+{
+    if (!il_grow(&f->inside, &f->cap_inside, f->n_inside + 1, sizeof *f->inside))
+        return false;
+    f->inside[f->n_inside] = *e;
+    memset(f->inside[f->n_inside++].foot, 0, sizeof e->foot);
+    return true;
+}
+
 il_stop il_stop_at(const il_frame_sides *s, size_t k, double t, const double p[2], uint32_t level, il_stop_kind kind)
 {
     if (t >= 1) {
@@ -153,11 +162,11 @@ static il_status take_end(walk *w, const double *p, il_error *err)
     const il_frame_sides *s = w->sides;
     il_near n;
     il_curve_place c;
-    if (!il_nearest_point(&s->tree, 0, p[0], p[1], &n) || n.distance > fmax(w->reach, s->slack))
-        return IL_OK;
-    bool is_on = n.distance <= s->slack;
+    bool is_on = il_nearest_point(&s->tree, 0, p[0], p[1], &n) && n.distance <= s->slack;
     if (!is_on && !is_inside(s, n.id, n.t, p))
         return IL_OK;
+    if (!is_on && n.distance > w->reach)
+        return il_frame_add_inside(w->out, &w->at) ? IL_OK : il_fail_nomem(err);
     c = (il_curve_place){ .side = n.id, .t = share_of(s, n.id, p) };
     place_on(s, n.id, n.t, p, c.at);
     il_status st = s->is_curved ? il_frame_curves_locate(s, p, &c, err) : IL_OK;

@@ -42,9 +42,11 @@ int il_stop_compare(const void *a, const void *b);
 
 /* Append E to the ends of F. */
 bool il_frame_add_end(il_frame *f, const il_frame_end *e);
+bool il_frame_add_inside(il_frame *f, const il_frame_end *e);
 
 /* Find the vertices of level[n_levels] that lie on the sides S, and the ends on the map's
- * side of them that are no farther away than REACH.  Ends that lie on them go to OUT's.
+ * side of them that are no farther away than REACH.  Ends that lie on the sides, and those
+ * that are farther away inside, go to OUT's.
  * O(n log n) for n vertices and sides.  IL_E_NOMEM. */
 il_status il_stops_find(il_stops *o, il_frame *out, const il_frame_sides *s, double reach,
                         const il_slice *level, size_t n_levels, il_error *err);

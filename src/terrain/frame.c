@@ -13,6 +13,7 @@ void il_frame_free(il_frame *f)
 {
     il_slice_free(&f->rings);
     il_free(f->end);
+    il_free(f->inside);
     *f = (il_frame)IL_FRAME_INIT;
 }
 
@@ -149,6 +150,7 @@ il_status il_frame_make(il_frame *out, const il_frame_options *o, const il_stack
         st = il_feet_settle(&stops, out, &sides, level, n_levels, err);
     if (st == IL_OK)
         st = make_rings(out, &sides, &stops, err);
+    out->took_degrees = sides.took_degrees;
     il_frame_sides_free(&sides);
     il_stops_free(&stops);
     if (st != IL_OK) {
@@ -157,6 +159,8 @@ il_status il_frame_make(il_frame *out, const il_frame_options *o, const il_stack
     }
     if (out->n_ends > 0)
         qsort(out->end, out->n_ends, sizeof *out->end, compare_ends);
+    if (out->n_inside > 0)
+        qsort(out->inside, out->n_inside, sizeof *out->inside, compare_ends);
     measure(out);
     return IL_OK;
 }

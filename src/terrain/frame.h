@@ -9,12 +9,15 @@
  * meet); the convex hull of all lines; outlines of the user's. */
 typedef enum il_frame_kind { IL_FRAME_BBOX, IL_FRAME_HULL, IL_FRAME_OUTLINE } il_frame_kind;
 
-/* outline: closed rings, holes among them (even-odd), in the coordinates of the map, or in
- * degrees when in_degrees; borrowed, for IL_FRAME_OUTLINE only. */
+/* outline: closed rings with the map on their left, which cross nowhere; borrowed, for
+ * IL_FRAME_OUTLINE only.  In degrees when in_degrees; or where the map was, when
+ * may_be_degrees, and the outline lies there but beside the lines.  Else in the
+ * coordinates that the map was read in, or in `unit` if has_unit. */
 typedef struct il_frame_options {
     il_frame_kind kind;
     const il_slice *outline;
-    bool in_degrees;
+    bool in_degrees, may_be_degrees, has_unit;
+    il_unit unit;
 } il_frame_options;
 
 /* The end of an open line: of line RING of level LEVEL, its last vertex if LAST.  FOOT: the
@@ -29,13 +32,17 @@ typedef struct il_frame_end {
 /* rings: the frame, map on their left, all feet and all vertices of lines that lie on it
  * exactly among their vertices.  end[n_ends]: ends that reach it, by level, ring, then first
  * before last; the edges from them to their feet cross and touch no line and none of each
- * other, but that feet of one level may be one.  Lines with an end that is not listed end
- * inside the map, or outside of the frame.  No line goes out of a frame but of an outline.
- * box: least x and y, greatest x and y of the rings. */
+ * other, but that feet of one level may be one.  inside[n_inside]: likewise the ends that
+ * lie inside the frame and do not reach it; they have no feet.  All other ends lie outside
+ * of it.  No line goes out of a frame but of an outline.
+ * box: least x and y, greatest x and y of the rings.  took_degrees: an outline that may be
+ * in degrees was taken to be. */
 typedef struct il_frame {
     il_slice rings;
     il_frame_end *end;      size_t n_ends, cap_ends;
+    il_frame_end *inside;   size_t n_inside, cap_inside;
     double box[4];
+    bool took_degrees;
 } il_frame;
 
 #define IL_FRAME_INIT { 0 }

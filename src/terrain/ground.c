@@ -62,39 +62,21 @@ static il_status list_lines(il_ground *g, il_error *err)
     return IL_OK;
 }
 
-/* Does a ray from P cross the frame an odd number of times? */
-static bool is_inside(const il_ground *g, const double p[2])
-{
-    bool in = false;
-    for (size_t i = 0; i < g->frame.rings.n; i++) {
-        const il_ring *r = &g->frame.rings.ring[i];
-        for (size_t v = 0; v < r->n; v++) {
-            const double *a = r->xy + 2 * v, *b = r->xy + 2 * (v + 1 < r->n ? v + 1 : 0);
-            if ((a[1] > p[1]) != (b[1] > p[1]))
-                in ^= (p[0] - a[0] < (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
-        }
-    }
-    return in;
-}
-
-/* Open lines with an end inside the frame that does not reach it part nothing. */
+/* Open lines that end inside the frame part nothing. */
 static void leave_out_loose(il_ground *g)
 {
     il_complaint c = complaint_of(g);
     size_t e = 0;
     for (size_t l = 0; l < g->n_lines; l++) {
         const il_ring *r = ring_of(g, l);
-        bool reaches[2] = { false, false };
-        for (; e < g->frame.n_ends && g->frame.end[e].level == (uint32_t)g->line[l].level &&
-               g->frame.end[e].ring == (uint32_t)g->line[l].ring; e++)
-            reaches[g->frame.end[e].last] = true;
-        const double *end = r->xy + (reaches[0] ? 2 * (r->n - 1) : 0), *other = r->xy + 2 * (r->n - 1);
-        if (!r->open || (reaches[0] && reaches[1]))
-            continue;
-        if (g->options->frame.kind == IL_FRAME_OUTLINE && !is_inside(g, end) && (reaches[0] || reaches[1] || !is_inside(g, other)))
+        const il_frame_end *end = NULL;
+        for (; e < g->frame.n_inside && g->frame.inside[e].level == (uint32_t)g->line[l].level &&
+               g->frame.inside[e].ring == (uint32_t)g->line[l].ring; e++)
+            end = end ? end : &g->frame.inside[e];
+        if (!end)
             continue;
         g->line[l].left_out = true;
-        il_complaint_left_out(&c, (uint32_t)l, end, "it ends inside the map");
+        il_complaint_left_out(&c, (uint32_t)l, r->xy + (end->last ? 2 * (r->n - 1) : 0), "it ends inside the map");
     }
 }
 
@@ -317,6 +299,23 @@ static il_status make_ground(il_ground *g, il_error *err)
     return st == IL_OK ? make_mesh(g, err) : st;
 }
 
+/* How much of the lines an outline cuts off. */
+static il_status tell_outside(il_ground *g, il_error *err)
+{
+    size_t n = 0;
+    unsigned char *there = il_calloc(g->chart.n_nodes, 1);
+    if (!there)
+        return il_fail_nomem(err);
+    for (size_t v = 0; v < g->skin.n_vertices; v++)
+        there[g->skin.node[v]] = 1;
+    for (size_t v = 0; v < g->chart.n_nodes; v++)
+        n += g->chart.node[v].vertex >= 0 && !there[v];
+    il_free(there);
+    if (n > 0)
+        il_report_note(g->report, "%zu point%s of isolines lie%s outside the frame: left out", n, n == 1 ? "" : "s", n == 1 ? "s" : "");
+    return IL_OK;
+}
+
 il_status il_ground_make(il_ground *g, il_error *err)
 {
     g->unit = g->head->unit;
@@ -328,6 +327,9 @@ il_status il_ground_make(il_ground *g, il_error *err)
         st = il_frame_make(&g->frame, &g->options->frame, g->head, g->slice, g->n_slices, err);
     if (st == IL_OK)
         st = il_placement_choose(g->head, &g->options->placement, g->frame.box, err);
+    if (g->frame.took_degrees)
+        il_report_note(g->report, "the outline's numbers are taken as degrees: the map was in degrees there, and has no lines "
+                       "where they would lie as lengths");
     if (st == IL_OK) {
         leave_out_loose(g);
         st = make_ground(g, err);
@@ -338,6 +340,8 @@ il_status il_ground_make(il_ground *g, il_error *err)
         il_skin_free(&g->skin);
         st = st == IL_OK ? make_ground(g, err) : st;
     }
+    if (st == IL_OK)
+        st = tell_outside(g, err);
     if (st == IL_OK && g->skin.n_cliff > 0)
         il_report_note(g->report, "isolines of different heights run together: %zu triangles stand upright", g->skin.n_cliff);
     return st;

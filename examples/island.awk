@@ -1,6 +1,8 @@
-# island.awk - isolines of an island with a crater, and of the sea floor around it:
+# island.awk - isolines of an island with a crater and a second peak, and of the sea floor around it:
 #     awk -v form=geojson -f island.awk > island.geojson
 #     awk -v form=gmt     -f island.awk > island.gmt
+#
+# In GeoJSON the peaks and pits are there as points, spot heights; a GMT file of lines has none.
 #
 # The ground is a sum of bumps over a grid in longitude and latitude.  Where a level
 # passes through a cell of the grid it cuts two of its sides (marching squares); a
@@ -17,7 +19,7 @@ BEGIN {
     else print "{\"type\":\"FeatureCollection\",\"name\":\"island\",\"features\":["
     for (level = -120; level <= 240; level += interval)
         lines(level)
-    if (form != "gmt") print "\n]}"
+    if (form != "gmt") { spots(); print "\n]}" }
 }
 
 function bump(x, y, cx, cy, w) { return exp(-((x - cx) ^ 2 + (y - cy) ^ 2) / (w * w)) }
@@ -25,7 +27,7 @@ function bump(x, y, cx, cy, w) { return exp(-((x - cx) ^ 2 + (y - cy) ^ 2) / (w 
 # Metres above the sea; no grid point lies exactly on a level.
 function ground(x, y) {
     return 0.123 - 90 + 320 * bump(x, y, 0.45, 0.5, 0.24) - 190 * bump(x, y, 0.44, 0.52, 0.09) \
-        + 110 * bump(x, y, 0.72, 0.66, 0.12) + 60 * bump(x, y, 0.95, 0.1, 0.3) - 40 * bump(x, y, 0.1, 0.9, 0.2)
+        + 220 * bump(x, y, 0.78, 0.72, 0.1) + 60 * bump(x, y, 0.95, 0.1, 0.3) - 40 * bump(x, y, 0.1, 0.9, 0.2)
 }
 
 function lines(level,    i, j, side, start, n) {
@@ -75,13 +77,28 @@ function line(side, level,    first, text, separator) {
         delete next_side[side]
         if (to == first) { text = text separator place(to, level); break }
     }
-    if (form == "gmt") {
-        print ">\n# @D" level "\n" text
-        return
-    }
-    printf "%s{\"type\":\"Feature\",\"properties\":{\"elev\":%d},\"geometry\":{\"type\":\"LineString\",\"coordinates\":[%s]}}",
-        comma, level, text
+    if (form == "gmt") print ">\n# @D" level "\n" text
+    else feature(level, "LineString", "[" text "]")
+}
+
+function feature(height, type, coordinates) {
+    printf "%s{\"type\":\"Feature\",\"properties\":{\"elev\":%s},\"geometry\":{\"type\":\"%s\",\"coordinates\":%s}}",
+        comma, height, type, coordinates
     comma = ",\n"
+}
+
+# A point at every corner of the grid that is higher, or lower, than all around it.
+function spots(    i, j, x, y, higher, lower) {
+    for (j = 1; j < rows; j++)
+        for (i = 1; i < columns; i++) {
+            higher = lower = 0
+            for (y = j - 1; y <= j + 1; y++)
+                for (x = i - 1; x <= i + 1; x++) {
+                    higher += h[x, y] > h[i, j]
+                    lower += h[x, y] < h[i, j]
+                }
+            if (!higher || !lower) feature(sprintf("%.1f", h[i, j]), "Point", point(i, j))
+        }
 }
 
 # Where the level cuts a side.
@@ -92,5 +109,9 @@ function place(side, level,    part, x, y, t, p, q) {
     t = (level - p) / (q - p)
     if (part[3] == "x") x += t
     else y += t
+    return point(x, y)
+}
+
+function point(x, y) {
     return sprintf(form == "gmt" ? "%.6f %.6f" : "[%.6f,%.6f]", west + step * x, south + 0.6 * step * y)
 }

@@ -69,27 +69,28 @@ row kind 'terrain$'
 row crs 'EPSG:32629$'
 row levels '14, from -120 to 140 m$'
 row interval '20 m$'
-row lines '20: 6 open, 14 closed$'
+row lines '25: 6 open, 19 closed$'
 row 'open ends' '12, 0 of them inside the map$'
-row points '2095$'
+row points '2337$'
+row 'spot heights' '5$'
 row degrees 'longitude -9.62 to -9.532, latitude 53.04 to 53.0862$'
-row length '122.6.* km, on the ellipsoid$'
-row area '56.0.* km^2 in closed lines, on the ellipsoid$'
+row length '136.07.* km, on the ellipsoid$'
+row area '57.9.* km^2 in closed lines, on the ellipsoid$'
 holds "and no sum of slices" sh -c '! grep -q -e "^  slice sum" out'
 exits 0 "a native one knows how it was projected" "$ISOLOFT" info island.loft
 row degrees 'longitude -9.62 to -9.532, latitude 53.04 to 53.0862$'
-row length '122.6.* km, on the ellipsoid$'
-row area '56.0.* km^2 in closed lines, on the ellipsoid$'
+row length '136.07.* km, on the ellipsoid$'
+row area '57.9.* km^2 in closed lines, on the ellipsoid$'
 exits 0 "in another unit too" sh -c '"$0" read --to ft island.loft | "$0" info' "$ISOLOFT"
-row length '122.6.* km, on the ellipsoid$'
+row length '136.07.* km, on the ellipsoid$'
 exits 0 "in one that its numbers are not in, it does not" "$ISOLOFT" info --unit km island.loft
-row length '122[0-9]* km$'
+row length '136[0-9]* km$'
 exits 3 "nor where it cannot be" sh -c 'sed "s/^slice -100/line\n9e14 9e14\n0 0\n&/" island.loft | "$0" info' "$ISOLOFT"
 holds "which is said" grep -q "a point has no place in the projection" err
 exits 0 "without it, it is measured in the plane" sh -c 'sed "/^geographic/d; /^projection/d" island.loft | "$ISOLOFT" info'
-row length '122.5[0-9]* km$'
+row length '136.02[0-9]* km$'
 exits 0 "--list has a line of it" "$ISOLOFT" --list island.geojson
-holds "with levels, lines and interval" grep -q "terrain .* 14  *20  *2095  *20 m" out
+holds "with levels, lines and interval" grep -q "terrain .* 14  *25  *2337  *20 m" out
 
 terrain 'ring:0 0,10 0,10 10,0 10' '0 20,5 20' '5 20,10 20' '30 50,40 55,50 50' '0 100,100 100' '3 3' |
     sed 's/^end$/slice 10\nring\n2 2\n8 2\n8 8\nslice 25\nring\n4 4\n6 4\n6 6\nslice 30\nring\n5 5\n5.5 5\n5.5 5.5\nend/' >odd.loft
@@ -122,7 +123,7 @@ fi
 exits 0 "degrees that stay degrees" "$ISOLOFT" info --project none island.geojson
 row extent 'x -9.62 to -9.532, y 53.04 to 53.0862 deg$'
 row levels '14, from -120 to 140 m$'
-row length '122.6.* km, on the ellipsoid$'
+row length '136.07.* km, on the ellipsoid$'
 exits 0 "solids and terrain in one stream" sh -c '{ sed "\$d" "$1"; sed 1d island.loft; } >both.loft; "$2" info both.loft' - "$vase" "$ISOLOFT"
 holds "both have surfaces" test "$(grep -c '^  surface *certified' out)" -eq 2
 holds "one has levels" test "$(grep -c '^  levels' out)" -eq 1

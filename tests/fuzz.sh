@@ -21,6 +21,7 @@ kml
 lines
 loft
 mesh
+relief
 shp
 svg
 "

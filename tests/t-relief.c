@@ -339,6 +339,14 @@ static void scene_make(scene *s, uint64_t seed, bool closed)
     terrain_scatter(s->given, s->t.n_levels, seed);
 }
 
+static void show(const il_report *r)
+{
+    for (size_t i = 0; i < r->n_skips; i++)
+        print_message("  %s: %s\n", r->skip[i].what, r->skip[i].why);
+    for (size_t i = 0; i < r->n_notes; i++)
+        print_message("  %s\n", r->note[i]);
+}
+
 static void make(scene *s, const il_relief_options *o)
 {
     il_error err = IL_ERROR_INIT;
@@ -416,6 +424,47 @@ static void a_line_with_an_edge_farthest_out_keeps_it(void **state)
         assert_true(fabs(height_at(&s.c.mesh, middle)) < 1e-12);
     }
     scene_free(&s);
+}
+
+static void add_square(il_slice *s, double x, double half)
+{
+    il_ring *r = il_slice_add_ring(s);
+    assert_true(r && il_ring_add(r, x - half, -half, 0) && il_ring_add(r, x + half, -half, 0) && il_ring_add(r, x + half, half, 0) &&
+                il_ring_add(r, x - half, half, 0));
+}
+
+/* Four hills in a sea, or pits in a plain, one of them without its outermost line: that is
+ * drawn about it, and the sea lies below it, as the lines of the others say. */
+static void a_missing_line_at_the_foot_is_drawn_there(void **state)
+{
+    (void)state;
+    for (int up = -1; up <= 1; up += 2) {
+        scene s = { .report = IL_REPORT_INIT };
+        s.t.n_levels = 4;
+        for (int k = 0; k < 4; k++) {
+            il_slice *slice = &s.given[up > 0 ? k : 3 - k];
+            slice->z = up * k;
+            for (int hill = 0; hill < 4; hill++)
+                if (k > 0 || hill != 2)
+                    add_square(slice, 20 * hill, 8 - 2 * k);
+        }
+        il_slice outline = IL_SLICE_INIT;
+        add_square(&outline, 30, 45);
+        copy_slices(s.given, s.drawn, 4);
+        box_of(s.given, 4, s.box);
+        make(&s, &(il_relief_options){ .frame = { IL_FRAME_OUTLINE, &outline, false }, .placement = IL_PLACEMENT_OPTIONS_INIT });
+        assert_int_equal(s.report.n_skipped, 0);
+        assert_int_equal(s.report.repair[IL_REPAIR_MISSING_LINE], 1);
+        assert_has_lines(&s.c.mesh, s.drawn, 4);
+        for (int hill = 0; hill < 3; hill++)
+            for (double y = -7.5; y < 8; y++)
+                assert_true(up * height_at(&s.c.mesh, (const double[2]){ 20 * hill + 9, y }) < 0 || hill == 2);
+        for (double x = 38; x < 43; x++)
+            assert_true(up * height_at(&s.c.mesh, (const double[2]){ x, 6.25 }) > 0);
+        assert_true(up * height_at(&s.c.mesh, (const double[2]){ 40, 42 }) < 0);
+        il_slice_free(&outline);
+        scene_free(&s);
+    }
 }
 
 static void assert_sound(const il_mesh *m)
@@ -530,14 +579,6 @@ static bool is_named(const il_report *r, uint32_t line)
         if (strstr(r->note[i], feature))
             return true;
     return false;
-}
-
-static void show(const il_report *r)
-{
-    for (size_t i = 0; i < r->n_skips; i++)
-        print_message("  %s: %s\n", r->skip[i].what, r->skip[i].why);
-    for (size_t i = 0; i < r->n_notes; i++)
-        print_message("  %s\n", r->note[i]);
 }
 
 /* Lines of slice[LEVEL] become those of slice[TO]. */
@@ -772,6 +813,7 @@ int main(void)
         cmocka_unit_test(surfaces_of_random_terrains_lie_in_their_bands),
         cmocka_unit_test(lines_closed_along_the_edge_are_open_at_it),
         cmocka_unit_test(a_line_with_an_edge_farthest_out_keeps_it),
+        cmocka_unit_test(a_missing_line_at_the_foot_is_drawn_there),
         cmocka_unit_test(solids_of_random_terrains_are_sound),
         cmocka_unit_test(surfaces_fill_the_frame_that_is_given),
         cmocka_unit_test(a_line_given_another_level_is_named),

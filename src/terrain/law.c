@@ -21,15 +21,22 @@ static void measure(const il_tin *t, const il_chart *c, double *area, double *le
     }
 }
 
-/* Do lines of both levels bound each face? */
+bool il_law_is_above(const il_tin *t, const il_chart *c, const il_band *band, size_t k)
+{
+    uint32_t f = t->side[k], g = t->side[k ^ 1];
+    int32_t level = c->height[k / 2];
+    if (level <= band[f].low || level >= band[f].high)
+        return level <= band[f].low;
+    return g == IL_CHART_NONE || band[g].high <= level;
+}
+
+/* Do lines both below and above it bound each face? */
 static void find_caps(const il_tin *t, const il_chart *c, const il_band *band, unsigned char *sides)
 {
     for (size_t k = 0; k < 2 * t->n_sides; k++) {
         uint32_t f = t->side[k];
-        if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
-            continue;
-        int32_t level = c->height[k / 2];
-        sides[f] |= (unsigned char)((level <= band[f].low ? 1 : 0) | (level >= band[f].high ? 2 : 0));
+        if (f != IL_CHART_NONE && c->owner[k / 2] != IL_CHART_NONE)
+            sides[f] |= il_law_is_above(t, c, band, k) ? 1 : 2;
     }
 }
 
@@ -92,21 +99,54 @@ static double dome(double t)
     return 0.5 * (1 - exp(-2 * t));
 }
 
+/* WIDTHS above the line of level BELOW, with no other above: a dome, or, if a line is missing
+ * on the way, a slope up to the dome over that. */
+static double rise_from(const il_law *l, uint32_t face, int32_t below, double widths)
+{
+    const il_chart *c = l->chart;
+    int32_t last = l->band[face].high - 1;
+    if (below >= last)
+        return c->level_z[below] + dome(widths) * interval_above(c, below);
+    return fmin(c->level_z[below] + widths * interval_above(c, below), c->level_z[last] + dome(widths) * interval_above(c, last));
+}
+
+/* The same downwards. */
+static double sink_from(const il_law *l, uint32_t face, int32_t above, double widths)
+{
+    const il_chart *c = l->chart;
+    int32_t last = l->band[face].low + 1;
+    if (above <= last)
+        return c->level_z[above] - dome(widths) * interval_above(c, above - 1);
+    return fmax(c->level_z[above] - widths * interval_above(c, above - 1), c->level_z[last] - dome(widths) * interval_above(c, last - 1));
+}
+
+/* How far away the nearest line above which FACE lies is (or below which, by UPPER), and the
+ * level at which the face meets it; infinity without one.  A face that lacks lines may lie above
+ * lines of several levels; of a cliff's lines it meets that of its band. */
+static double nearest_line(const il_law *l, uint32_t face, size_t upper, double x, double y, int32_t *level)
+{
+    il_band b = l->band[face];
+    il_near near;
+    if (!il_nearest_point(&l->borders, 2 * (size_t)face + upper, x, y, &near))
+        return INFINITY;
+    *level = l->chart->height[near.id];
+    *level = *level < b.low ? b.low : *level > b.high ? b.high : *level;
+    return near.distance;
+}
+
 /* Between the lines alone; *NEAREST: how far the nearest of them is. */
 static double height_of_lines(const il_law *l, uint32_t face, double x, double y, double *nearest)
 {
     const il_chart *c = l->chart;
-    il_band b = l->band[face];
-    double low = il_nearest_distance(&l->borders, 2 * (size_t)face, x, y);
-    double high = il_nearest_distance(&l->borders, 2 * (size_t)face + 1, x, y);
+    int32_t below = 0, above = 0;
+    double low = nearest_line(l, face, 0, x, y, &below), high = nearest_line(l, face, 1, x, y, &above);
     *nearest = fmin(low, high);
-    if (isfinite(low) && isfinite(high)) {
+    if (isfinite(low) && isfinite(high) && below < above) {
         double t = low + high > 0 ? low / (low + high) : 0.5;
-        return c->level_z[b.low] + t * (c->level_z[b.high] - c->level_z[b.low]);
+        return c->level_z[below] + t * (c->level_z[above] - c->level_z[below]);
     }
-    bool above = isfinite(low);
-    double d = above ? low : high, rise = l->width[face] > 0 ? dome(d / l->width[face]) : 0.5;
-    return above ? c->level_z[b.low] + rise * interval_above(c, b.low) : c->level_z[b.high] - rise * interval_above(c, b.low);
+    double widths = l->width[face] > 0 ? *nearest / l->width[face] : INFINITY;
+    return low <= high ? rise_from(l, face, below, widths) : sink_from(l, face, above, widths);
 }
 
 /* Keep Z inside the band of FACE, off its levels. */
@@ -147,7 +187,7 @@ static il_status build_borders(il_law *l, const il_tin *t, il_error *err)
         const uint32_t *v = c->edge + k / 2 * 2;
         if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
             continue;
-        size_t upper = c->height[k / 2] > l->band[f].low;
+        size_t upper = !il_law_is_above(t, c, l->band, k);
         s[n++] = (il_segment){ c->xy[2 * v[0]], c->xy[2 * v[0] + 1], c->xy[2 * v[1]], c->xy[2 * v[1] + 1], 2 * (size_t)f + upper, k / 2 };
     }
     return il_nearest_build(&l->borders, s, n, 2 * t->n_faces, err);

@@ -14,8 +14,7 @@
 
 /* width[f]: how far apart the lines of face f lie on average, the mesh's unit; of a face with
  * one level, that of the faces around it; 0 where there is none.
- * borders: the edges of lines, class 2 f for those of face f's lower level, 2 f + 1 of its
- * upper.  spots: spot heights, in the class of their face, by their nodes; excess[node]: how much
+ * borders: the edges of lines, class 2 f for those that face f lies above, 2 f + 1 below.  spots: spot heights, in the class of their face, by their nodes; excess[node]: how much
  * higher they are than the law has it without them. */
 typedef struct il_law {
     const il_chart *chart;
@@ -33,6 +32,10 @@ void il_law_free(il_law *l); /* safe twice */
  * band, or beyond the only one by less than IL_LAW_MOST of an interval.  O(log n). */
 #define IL_LAW_MOST 0.99
 double il_law_height(const il_law *l, uint32_t face, double x, double y);
+
+/* Does the face on side K of T's, where a line is, lie above it?  Where a face lacks lines that is
+ * not always told by its own band, but by that of the face across. */
+bool il_law_is_above(const il_tin *t, const il_chart *c, const il_band *band, size_t k);
 
 /* The distance of the levels of face F, on the map. */
 double il_law_interval(const il_law *l, uint32_t face);

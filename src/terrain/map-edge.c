@@ -137,6 +137,12 @@ il_status il_map_edge_mark(il_slice *level, size_t n_levels, const il_frame_opti
 {
     marking m = { .is_given = o->kind == IL_FRAME_OUTLINE };
     il_frame_options box = *o;
+    size_t n_lines = 0;
+    for (size_t k = 0; k < n_levels; k++)
+        n_lines += level[k].n;
+    *n = 0;
+    if (n_lines == 0)
+        return IL_OK;
     box.kind = m.is_given ? IL_FRAME_OUTLINE : IL_FRAME_BBOX;
     il_status st = il_frame_sides_make(&m.sides, &box, head, level, n_levels, err);
     if (st == IL_OK && !mark(&m, level, n_levels))

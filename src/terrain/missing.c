@@ -6,14 +6,16 @@
 #include <math.h>
 
 /* once: edges that were drawn, by their nodes; the index of the edge, or GONE when it was
- * drawn from both of its sides, which are then on the same side of it. */
+ * drawn from both of its sides, which are then on the same side of it.
+ * lies: whether a face that lacks lines lies above the line through a node, whose level is
+ * strictly inside its band. */
 typedef struct drawing {
     il_chart *c;
     const il_tin *t;
     const il_law *law;
     size_t n_lines;
     const il_placement_options *o;
-    il_keymap once;
+    il_keymap once, lies;
 } drawing;
 
 static size_t after(size_t k)
@@ -37,9 +39,46 @@ static void raise_corners(const drawing *d)
     }
 }
 
+/* Lines of a level inside a face's band bound it where another part of that level is missing:
+ * the face lies beside them as it does far from there (the sea about islands, of which one lacks
+ * its lowest line).  Find out on which side. */
+static bool find_lies(drawing *d)
+{
+    const il_chart *c = d->c;
+    for (size_t k = 0; k < 2 * d->t->n_sides; k++) {
+        uint32_t f = d->t->side[k], e = (uint32_t)(k / 2);
+        if (f == IL_CHART_NONE || d->t->side[k ^ 1] == f || c->height[e] < 0 || d->t->cliff[2 * e] >= 0)
+            continue;
+        if (c->height[e] <= d->law->band[f].low || c->height[e] >= d->law->band[f].high)
+            continue;
+        uint32_t above = il_law_is_above(d->t, c, d->law->band, k);
+        for (int end = 0; end < 2; end++)
+            if (!il_keymap_put(&d->lies, c->edge[2 * e + (size_t)end], f, above))
+                return false;
+    }
+    return true;
+}
+
+enum { BELOW, ABOVE, NOWHERE };
+
+static uint32_t lie_of(const drawing *d, size_t k)
+{
+    return il_keymap_get(&d->lies, d->t->corner[k], d->t->face[k / 3], NOWHERE);
+}
+
+/* The height of corner K, beside a line half an interval to the side where its face lies: so
+ * that the missing part of that line comes to lie between. */
 static double z_of(const drawing *d, size_t k)
 {
-    return il_cliff_z(d->t, d->c, d->law->band, k);
+    const il_chart *c = d->c;
+    double z = il_cliff_z(d->t, c, d->law->band, k);
+    uint32_t lie = lie_of(d, k);
+    if (lie == NOWHERE)
+        return z;
+    size_t level = (size_t)c->node[d->t->corner[k]].level, last = c->n_levels - 1;
+    size_t from = lie == ABOVE ? (level < last ? level : last - 1) : (level > 0 ? level - 1 : 0);
+    double half = (c->level_z[from + 1] - c->level_z[from]) / 2;
+    return lie == ABOVE ? z + half : z - half;
 }
 
 /* Where the edge from corner J to corner K of triangles passes through LEVEL: J is below it and
@@ -106,7 +145,7 @@ static bool has_line(const drawing *d, size_t triangle, int32_t level)
 {
     for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++) {
         uint32_t e = d->t->edge[k];
-        if (e != IL_CHART_NONE && (d->c->height[e] == level || (d->t->cliff[2 * e] <= level && level <= d->t->cliff[2 * e + 1])))
+        if (e != IL_CHART_NONE && ((d->c->height[e] == level && lie_of(d, k) == NOWHERE) || (d->t->cliff[2 * e] <= level && level <= d->t->cliff[2 * e + 1])))
             return true;
     }
     return false;
@@ -164,18 +203,19 @@ static bool divide_frame(drawing *d)
 il_status il_missing_draw(il_chart *c, const il_tin *t, const il_law *law, size_t n_lines,
                           const il_placement_options *o, size_t *n, il_error *err)
 {
-    drawing d = { c, t, law, n_lines, o, IL_KEYMAP_INIT };
-    bool ok = true;
+    drawing d = { c, t, law, n_lines, o, IL_KEYMAP_INIT, IL_KEYMAP_INIT };
     *n = 0;
     for (size_t f = 0; f < t->n_faces; f++)
         *n += law->band[f].high - law->band[f].low > 1;
     if (*n == 0)
         return IL_OK;
+    bool ok = find_lies(&d);
     raise_corners(&d);
     for (size_t k = 0; k < t->n && ok; k++)
         ok = !lacks_lines(&d, k) || draw_levels(&d, k);
     ok = ok && divide_frame(&d);
     il_chart_drop_points(c);
     il_keymap_free(&d.once);
+    il_keymap_free(&d.lies);
     return ok ? IL_OK : il_fail_nomem(err);
 }

@@ -1,48 +1,75 @@
 #!/usr/bin/env python3
-"""picture.py SLICES.loft MESH.obj PICTURE.png - slices on the left, their surface on the right.
+"""picture.py LINES.loft MESH.obj PICTURE.png - contours on the left, their surface on the right.
 
-Draws examples/vase.png: a depth buffer, one light, and nothing that the standard library lacks."""
+Draws examples/vase.png, island.png and jacksboro.png: a depth buffer, one light, and nothing that the
+standard library lacks.  Solids stand upright, the origin in the middle; of maps, which are seen from
+higher up, the lines are taken to where the mesh's comments say that it was put."""
 
 import math
 import struct
 import sys
 import zlib
 
-WIDTH, HEIGHT, FINE = 800, 560, 3       # FINE x FINE samples a pixel
-TILT, TURN = math.radians(24), math.radians(-38)
+WIDTH, FINE, MARGIN = 800, 3, 20        # FINE x FINE samples a pixel
+TURN = math.radians(-38)
 LIGHT = (-0.45, -0.55, 0.70)
-PAPER, CLAY, INK = (255, 255, 255), (222, 164, 120), (70, 84, 110)
+PAPER, CLAY, INK, EDGE = (255, 255, 255), (222, 164, 120), (70, 84, 110), (120, 82, 58)
+LIFT, FEW = 2, 100                     # pixels by which lines stand out of a surface, if there are fewer than that
 
 
-def turned(p):
-    """World to view: x right, y up, z towards the eye."""
-    x, y, z = p
-    x, y = x * math.cos(TURN) - y * math.sin(TURN), x * math.sin(TURN) + y * math.cos(TURN)
-    return x, z * math.cos(TILT) + y * math.sin(TILT), z * math.sin(TILT) - y * math.cos(TILT)
+class View:
+    """height: of the picture, in pixels; thick: lines, likewise."""
+
+    def __init__(self, terrain):
+        self.height, self.thick = (320, 0.7) if terrain else (560, 1.1)
+        self.tilt = math.radians(38 if terrain else 24)
+
+    def turned(self, p):
+        """World to view: x right, y up, z towards the eye."""
+        x, y, z = p
+        x, y = x * math.cos(TURN) - y * math.sin(TURN), x * math.sin(TURN) + y * math.cos(TURN)
+        rise, depth = math.cos(self.tilt), math.sin(self.tilt)
+        return x, z * rise + y * depth, z * depth - y * rise
+
+    def pixels(self, points):
+        """Pixels a unit, so that POINTS fit half the picture, and the lowest of them."""
+        low, high = min(p[1] for p in points), max(p[1] for p in points)
+        wide = max(abs(p[0]) for p in points)
+        return min((self.height - 2 * MARGIN) / (high - low), (WIDTH / 4 - MARGIN / 2) / wide), low
 
 
-def read_slices(path):
-    rings, z = [], 0.0
+def read_lines(path):
+    """Rings and lines as lists of points, the first again behind a ring's last; and: are they terrain's?"""
+    lines, rings, terrain, z = [], [], False, 0.0
     for line in open(path, encoding="utf-8"):
         word = line.split()
-        if word and word[0] == "slice":
+        if word[:2] == ["kind", "terrain"]:
+            terrain = True
+        elif word and word[0] == "slice":
             z = float(word[1])
-        elif word and word[0] == "ring":
-            rings.append([])
+        elif word and word[0] in ("ring", "line"):
+            lines.append([])
+            if word[0] == "ring":
+                rings.append(lines[-1])
         elif len(word) == 2 and word[0][0] in "-0123456789":
-            rings[-1].append(turned((float(word[0]), float(word[1]), z)))
-    return rings
+            lines[-1].append((float(word[0]), float(word[1]), z))
+    for ring in rings:
+        ring.append(ring[0])
+    return lines, terrain
 
 
 def read_mesh(path):
-    points, triangles = [], []
+    """Points, triangles, and the mesh's place: a point times scale plus offset is where it is on the map."""
+    points, triangles, place = [], [], {"offset": (0, 0, 0), "scale": (1, 1, 1)}
     for line in open(path, encoding="utf-8"):
         word = line.split()
         if word and word[0] == "v":
-            points.append(turned(tuple(map(float, word[1:4]))))
+            points.append(tuple(map(float, word[1:4])))
         elif word and word[0] == "f":
             triangles.append([int(w.split("/")[0]) - 1 for w in word[1:4]])
-    return points, triangles
+        elif word[:2] == ["#", "stack"] and word[3] in place and len(word) == 7:
+            place[word[3]] = tuple(map(float, word[4:7]))
+    return points, triangles, place
 
 
 def corner_normals(points, triangles, crease=math.cos(math.radians(50))):
@@ -71,14 +98,15 @@ def corner_normals(points, triangles, crease=math.cos(math.radians(50))):
 
 
 class Canvas:
-    def __init__(self, scale, low):
-        self.w, self.h = WIDTH * FINE, HEIGHT * FINE
+    def __init__(self, height, scale, low):
+        self.w, self.h = WIDTH * FINE, height * FINE
         self.depth = [-1e9] * (self.w * self.h)
         self.color = bytearray(PAPER * (self.w * self.h))
         self.scale, self.low = scale * FINE, low
 
-    def place(self, p, middle):
-        return middle * FINE + p[0] * self.scale, self.h - (p[1] - self.low) * self.scale - 20 * FINE, p[2]
+    def place(self, p, middle, lift=0):
+        x, y = middle * FINE + p[0] * self.scale, (p[1] - self.low) * self.scale
+        return x, self.h - y - MARGIN * FINE, p[2] + lift * FINE / self.scale
 
     def dot(self, x, y, z, color):
         if 0 <= x < self.w and 0 <= y < self.h:
@@ -87,7 +115,7 @@ class Canvas:
                 self.depth[k] = z
                 self.color[3 * k:3 * k + 3] = bytes(color)
 
-    def line(self, a, b, color, width=1.1):
+    def line(self, a, b, color, width):
         n = int(max(abs(b[0] - a[0]), abs(b[1] - a[1]))) + 1
         r = width * FINE / 2
         for i in range(n + 1):
@@ -117,7 +145,7 @@ class Canvas:
 
     def write(self, path):
         rows = bytearray()
-        for y in range(HEIGHT):
+        for y in range(self.h // FINE):
             rows.append(0)
             for x in range(WIDTH):
                 for c in range(3):
@@ -127,7 +155,7 @@ class Canvas:
         def chunk(kind, data):
             return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
         with open(path, "wb") as out:
-            out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", WIDTH, HEIGHT, 8, 2, 0, 0, 0)) +
+            out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", WIDTH, self.h // FINE, 8, 2, 0, 0, 0)) +
                       chunk(b"IDAT", zlib.compress(bytes(rows), 9)) + chunk(b"IEND", b""))
 
 
@@ -140,22 +168,26 @@ def shade(n):
     return [max(0, min(255, int(c * (0.34 + 0.16 * n[1] + 0.58 * direct) + 255 * shine))) for c in CLAY]
 
 
-def main(slices, mesh, picture):
-    rings = read_slices(slices)
-    points = [p for ring in rings for p in ring]
-    low, high = min(p[1] for p in points), max(p[1] for p in points)
-    canvas = Canvas((HEIGHT - 40) / (high - low), low)
-    far, near = min(p[2] for p in points), max(p[2] for p in points)
-    for ring in rings:
-        for a, b in zip(ring, ring[1:] + ring[:1]):
+def main(contours, mesh, picture):
+    lines, terrain = read_lines(contours)
+    vertices, triangles, place = read_mesh(mesh)
+    view = View(terrain)
+    offset, scale = place["offset"], place["scale"]
+    lines = [[view.turned([(p[i] - offset[i]) / scale[i] for i in range(3)]) for p in line] for line in lines]
+    vertices = [view.turned(p) for p in vertices]
+    canvas = Canvas(view.height, *view.pixels(vertices))
+    far, near = min(p[2] for line in lines for p in line), max(p[2] for line in lines for p in line)
+    for line in lines:
+        for a, b in zip(line, line[1:]):
             fade = 0.72 * (1 - ((a[2] + b[2]) / 2 - far) / (near - far))
             canvas.line(canvas.place(a, WIDTH // 4), canvas.place(b, WIDTH // 4),
-                        [int(c + (255 - c) * fade) for c in INK])
-    if mesh:
-        vertices, triangles = read_mesh(mesh)
-        placed = [canvas.place(p, 3 * WIDTH // 4) for p in vertices]
-        for corners, normals in zip(triangles, corner_normals(vertices, triangles)):
-            canvas.triangle([placed[k] for k in corners], normals)
+                        [int(c + (255 - c) * fade) for c in INK], view.thick)
+    placed = [canvas.place(p, 3 * WIDTH // 4) for p in vertices]
+    for corners, normals in zip(triangles, corner_normals(vertices, triangles)):
+        canvas.triangle([placed[k] for k in corners], normals)
+    for line in lines if terrain and len(lines) < FEW else []:
+        for a, b in zip(line, line[1:]):
+            canvas.line(canvas.place(a, 3 * WIDTH // 4, LIFT), canvas.place(b, 3 * WIDTH // 4, LIFT), EDGE, 0.4)
     canvas.write(picture)
 
 

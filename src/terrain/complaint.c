@@ -71,12 +71,15 @@ void il_complaint_spot(const il_complaint *c, size_t i, const char *why)
     il_report_skip(c->report, file_of(c, s->file), s->line, what, why);
 }
 
-void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const double at[2])
+void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const double at[2], bool is_third)
 {
     char first[160], second[160] = "the edge of the map", place[2 * IL_NUMBER_MAX + 16];
     il_complaint_name(c, a, first, sizeof first);
     if (b < c->n_lines)
         il_complaint_name(c, b, second, sizeof second);
     name_place(at, place);
-    il_report_note(c->report, "between %s and %s, %s, lines are missing: interpolated", first, second, place);
+    if (is_third)
+        il_report_note(c->report, "beside %s, %s, %s lies between two other levels: lines interpolated", first, place, second);
+    else
+        il_report_note(c->report, "between %s and %s, %s, lines are missing: interpolated", first, second, place);
 }

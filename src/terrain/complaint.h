@@ -25,8 +25,9 @@ void il_complaint_against(const il_complaint *c, uint32_t l, const double at[2],
 /* Spot I of the head is left out: WHY. */
 void il_complaint_spot(const il_complaint *c, size_t i, const char *why);
 
-/* Between lines A and B others are missing, and were interpolated. */
-void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const double at[2]);
+/* Between lines A and B others are missing, and were interpolated; IS_THIRD: B is of a level
+ * between A's and that of another line on the same face. */
+void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const double at[2], bool is_third);
 
 /* "the isoline of 40 m (feature 12, line 340)"; N bytes at TO. */
 void il_complaint_name(const il_complaint *c, uint32_t l, char *to, size_t n);

@@ -143,7 +143,7 @@ static void tell_discord(il_ground *g, const il_discord *d)
         il_complaint_against(&c, d->line[0], at, d->is_below ? "both of its sides lie below it" : "both of its sides lie above it",
                              d->line[1]);
     else
-        il_complaint_missing(&c, d->line[0], d->line[1], at);
+        il_complaint_missing(&c, d->line[0], d->line[1], at, d->kind == IL_DISCORD_MANY);
 }
 
 /* The bands of all faces; lines that contradict the others are left out, and what the rest

@@ -125,10 +125,13 @@ static il_status hand_on(relief *r, const il_ground *g, il_error *err)
     il_status st = sort_slabs(&g->skin, g->n_slices, order, first) ? gather_facts(g, &facts, err) : il_fail_nomem(err);
     if (st == IL_OK)
         st = r->next->begin(r->next, &r->head, err);
+    bool open = st == IL_OK;
     if (st == IL_OK)
         st = give_slabs(r, g, order, first, err);
     il_free(order);
     il_free(first);
+    if (open && st != IL_OK)
+        r->next->abandon(r->next);
     return st == IL_OK ? r->next->end(r->next, &facts, err) : st;
 }
 

@@ -14,7 +14,8 @@
 
 /* width[f]: how far apart the lines of face f lie on average, the mesh's unit; of a face with
  * one level, that of the faces around it; 0 where there is none.
- * borders: the edges of lines, class 2 f for those that face f lies above, 2 f + 1 below.  spots: spot heights, in the class of their face, by their nodes; excess[node]: how much
+ * borders: the edges of lines, class 2 f for those that face f lies above, 2 f + 1 below.
+ * spots: spot heights, in the class of their face, by their nodes; excess[node]: how much
  * higher they are than the law has it without them. */
 typedef struct il_law {
     const il_chart *chart;

@@ -145,7 +145,10 @@ static bool has_line(const drawing *d, size_t triangle, int32_t level)
 {
     for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++) {
         uint32_t e = d->t->edge[k];
-        if (e != IL_CHART_NONE && ((d->c->height[e] == level && lie_of(d, k) == NOWHERE) || (d->t->cliff[2 * e] <= level && level <= d->t->cliff[2 * e + 1])))
+        if (e == IL_CHART_NONE)
+            continue;
+        bool is_cliff = d->t->cliff[2 * e] <= level && level <= d->t->cliff[2 * e + 1];
+        if (is_cliff || (d->c->height[e] == level && lie_of(d, k) == NOWHERE))
             return true;
     }
     return false;

@@ -7,6 +7,7 @@
 #include "terrain/missing.h"
 #include "terrain/proof.h"
 #include "terrain/ridge.h"
+#include "terrain/rim.h"
 #include "terrain/spots.h"
 
 #include <math.h>
@@ -198,7 +199,7 @@ static void raise_rest(il_ground *g)
 
 static il_status find_heights(il_ground *g, il_error *err)
 {
-    il_status st = build_law(g, err);
+    il_status st = il_rim_raise(&g->chart) ? build_law(g, err) : il_fail_nomem(err);
     if (st == IL_OK)
         st = draw_missing(g, err);
     if (st == IL_OK)

@@ -1,13 +1,13 @@
 #include "config.h"
 #include "terrain/tin.h"
 #include "base/alloc.h"
+#include "bridge/triangulation.h"
 
 #include <math.h>
 #include <string.h>
 
 void il_tin_free(il_tin *t)
 {
-    il_triangulation_free(t->triangulation);
     il_free(t->corner);
     il_free(t->across);
     il_free(t->edge);
@@ -288,13 +288,14 @@ static bool share_sides(il_tin *t, const il_chart *c)
 
 /* ---- building ----------------------------------------------------------------- */
 
-static il_status export(il_tin *t, const il_chart *c, size_t *found, il_error *err)
+static il_status triangulate(il_tin *t, const il_chart *c, bool *crosses, il_error *err)
 {
-    il_free(t->corner);
-    il_free(t->across);
-    t->corner = t->across = NULL;
-    il_status st = il_triangulation_export(t->triangulation, &t->corner, &t->across, &t->n, err);
-    return st == IL_OK ? find_edges(t, c, found, err) : st;
+    il_triangulation *all = NULL;
+    il_status st = il_triangulation_try(&all, c->xy, c->n_nodes, c->edge, c->n_edges, crosses, err);
+    if (st == IL_OK && !*crosses)
+        st = il_triangulation_export(all, &t->corner, &t->across, &t->n, err);
+    il_triangulation_free(all);
+    return st;
 }
 
 /* Edges of the chart, equal ones once. */
@@ -315,10 +316,10 @@ static il_status count_edges(const il_chart *c, size_t *n, il_error *err)
 il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *err)
 {
     size_t found = 0, wanted = 0;
-    il_status st = il_triangulation_try(&t->triangulation, c->xy, c->n_nodes, c->edge, c->n_edges, crosses, err);
+    il_status st = triangulate(t, c, crosses, err);
     if (st != IL_OK || *crosses)
         return st;
-    st = export(t, c, &found, err);
+    st = find_edges(t, c, &found, err);
     if (st == IL_OK)
         st = count_edges(c, &wanted, err);
     *crosses = st == IL_OK && found != wanted;
@@ -332,31 +333,6 @@ il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *er
     if (st == IL_OK)
         st = drop_outside(t, c, err);
     return st == IL_OK && !share_sides(t, c) ? il_fail_nomem(err) : st;
-}
-
-il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err)
-{
-    size_t found = 0;
-    il_status st = il_triangulation_insert(t->triangulation, c->xy + 2 * from, c->n_nodes - from, err);
-    if (st == IL_OK)
-        st = export(t, c, &found, err);
-    uint32_t *stack = st == IL_OK ? il_alloc(t->n, sizeof *stack) : NULL;
-    il_free(t->face);
-    t->face = il_alloc(t->n, sizeof *t->face);
-    if (st == IL_OK && (!stack || !t->face))
-        st = il_fail_nomem(err);
-    if (st == IL_OK) {
-        for (size_t k = 0; k < t->n; k++)
-            t->face[k] = UNKNOWN;
-        for (size_t k = 0; k < 3 * t->n; k++) {
-            if (t->edge[k] != IL_CHART_NONE && t->face[k / 3] == UNKNOWN)
-                flood(t, (uint32_t)(k / 3), t->side[2 * (size_t)t->edge[k] + (is_left_of(c, t, k) ? 0 : 1)], stack);
-        }
-        for (size_t k = 0; k < t->n; k++)
-            t->face[k] = t->face[k] == UNKNOWN ? OUTSIDE : t->face[k];
-    }
-    il_free(stack);
-    return st;
 }
 
 /* ---- borders -------------------------------------------------------------------- */

@@ -2,7 +2,6 @@
 #ifndef IL_TERRAIN_TIN_H
 #define IL_TERRAIN_TIN_H
 
-#include "bridge/triangulation.h"
 #include "terrain/bands.h"
 #include "terrain/chart.h"
 
@@ -15,7 +14,6 @@
  * the lowest and the highest of their levels then, if those differ or an even number of lines
  * of one level part nothing; -1 for others.  n_cliffs: such edges. */
 typedef struct il_tin {
-    il_triangulation *triangulation;
     uint32_t *corner, *across, *edge, *face;
     size_t n;
     uint32_t *side;
@@ -30,15 +28,17 @@ void il_tin_free(il_tin *t); /* safe twice */
  * first triangles.  *CROSSES: edges cross or pass through nodes; T is empty then.  O(n log n). */
 il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *err);
 
-/* Nodes from FROM on were added to C, each inside a face: triangulate anew.  Faces keep their
- * numbers. */
-il_status il_tin_refine(il_tin *t, const il_chart *c, size_t from, il_error *err);
-
 /* The stretches of lines between faces, as il_bands_label takes them, but for cliffs, which do
  * not tell what is on which side, and spikes, where a line goes and comes back; border[n] is
  * the caller's.  What lies beyond lines that run along the frame counts as *N_FACES - T's
  * faces more, one a stretch. */
 il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, size_t *n_faces, il_error *err);
+
+/* Corner K is one of three: the number of the next, around its triangle. */
+static inline size_t il_tin_after(size_t k)
+{
+    return k % 3 == 2 ? k - 2 : k + 1;
+}
 
 /* Twice the area of triangle T. */
 double il_tin_area2(const il_tin *t, const il_chart *c, size_t triangle);

@@ -54,12 +54,25 @@ static void bound(double *box, const il_segment *s, size_t n)
     }
 }
 
+/* Are the middles of S spread more in x than in y?  Long segments side by side are parted
+ * across them so. */
+static bool is_wide(const il_segment *s, size_t n)
+{
+    double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
+    for (size_t i = 0; i < n; i++) {
+        double x = s[i].ax + s[i].bx, y = s[i].ay + s[i].by;
+        box[0] = fmin(box[0], x), box[2] = fmax(box[2], x);
+        box[1] = fmin(box[1], y), box[3] = fmax(box[3], y);
+    }
+    return box[2] - box[0] > box[3] - box[1];
+}
+
 static void build(double *box, il_segment *s, size_t n)
 {
     bound(box, s, n);
     if (n <= LEAF)
         return;
-    qsort(s, n, sizeof *s, box[2] - box[0] > box[3] - box[1] ? compare_in_x : compare_in_y);
+    qsort(s, n, sizeof *s, is_wide(s, n) ? compare_in_x : compare_in_y);
     build(box + 4, s, n / 2);
     build(box + 4 + 4 * boxes_of(n / 2), s + n / 2, n - n / 2);
 }
@@ -205,24 +218,64 @@ static bool boxes_meet(const double *a, const double *b)
     return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
 }
 
-static bool show(const double *box, const il_segment *s, size_t n, const double *wanted, il_nearest_visitor *visit, void *context)
+/* What is shown: all that meets the box and, if there is one, the segment from `from` to `to`
+ * in it. */
+typedef struct view {
+    double box[4];
+    const double *from, *to;
+    il_nearest_visitor *visit;
+    void *context;
+} view;
+
+/* Does B meet what is wanted?  A box lies beside a line by more than it extends across it,
+ * and by more than what rounding does. */
+static bool meets(const view *v, const double *b)
 {
-    if (!boxes_meet(box, wanted))
+    if (!boxes_meet(b, v->box))
+        return false;
+    if (!v->from)
+        return true;
+    double ux = v->to[0] - v->from[0], uy = v->to[1] - v->from[1];
+    double along = ux * ((b[1] + b[3]) / 2 - v->from[1]), across = uy * ((b[0] + b[2]) / 2 - v->from[0]);
+    double extent = (fabs(ux) * (b[3] - b[1]) + fabs(uy) * (b[2] - b[0])) / 2;
+    return fabs(along - across) <= extent + 1e-9 * (extent + fabs(along) + fabs(across));
+}
+
+static bool show(const view *v, const double *box, const il_segment *s, size_t n)
+{
+    if (!meets(v, box))
         return false;
     if (n > LEAF)
-        return show(box + 4, s, n / 2, wanted, visit, context) ||
-               show(box + 4 + 4 * boxes_of(n / 2), s + n / 2, n - n / 2, wanted, visit, context);
+        return show(v, box + 4, s, n / 2) || show(v, box + 4 + 4 * boxes_of(n / 2), s + n / 2, n - n / 2);
     for (size_t i = 0; i < n; i++) {
         double own[4];
         bound(own, &s[i], 1);
-        if (boxes_meet(own, wanted) && visit(context, &s[i]))
+        if (meets(v, own) && v->visit(v->context, &s[i]))
             return true;
     }
     return false;
 }
 
-bool il_nearest_visit(const il_nearest *t, size_t c, const double box[4], il_nearest_visitor *visit, void *context)
+static bool show_class(const il_nearest *t, size_t c, const view *v)
 {
     size_t n = t->first[c + 1] - t->first[c];
-    return n > 0 && show(t->box + 4 * t->root[c], t->segment + t->first[c], n, box, visit, context);
+    return n > 0 && show(v, t->box + 4 * t->root[c], t->segment + t->first[c], n);
+}
+
+bool il_nearest_visit(const il_nearest *t, size_t c, const double box[4], il_nearest_visitor *visit, void *context)
+{
+    view v = { .visit = visit, .context = context };
+    memcpy(v.box, box, sizeof v.box);
+    return show_class(t, c, &v);
+}
+
+bool il_nearest_visit_along(const il_nearest *t, size_t c, const double from[2], const double to[2],
+                            il_nearest_visitor *visit, void *context)
+{
+    view v = { .from = from, .to = to, .visit = visit, .context = context };
+    for (int k = 0; k < 2; k++) {
+        v.box[k] = fmin(from[k], to[k]);
+        v.box[2 + k] = fmax(from[k], to[k]);
+    }
+    return show_class(t, c, &v);
 }

@@ -52,4 +52,9 @@ bool il_nearest_point(const il_nearest *t, size_t c, double x, double y, il_near
 typedef bool il_nearest_visitor(void *context, const il_segment *s);
 bool il_nearest_visit(const il_nearest *t, size_t c, const double box[4], il_nearest_visitor *visit, void *context);
 
+/* Likewise those whose box meets the straight line from FROM to TO, or comes near it within
+ * rounding. */
+bool il_nearest_visit_along(const il_nearest *t, size_t c, const double from[2], const double to[2],
+                            il_nearest_visitor *visit, void *context);
+
 #endif

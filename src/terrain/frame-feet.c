@@ -12,8 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Places tried beside the nearest one. */
-enum { TRIES = 8 };
+/* Places tried beside the nearest one.  A way that comes near more edges or ways than LOOKS
+ * leads nowhere: this bounds the time where somebody makes thousands of them meet. */
+enum { TRIES = 8, LOOKS = 256 };
 
 /* An edge of a line, by the segment's number in the tree: of level `level`. */
 typedef struct edge { double a[2], b[2]; uint32_t level; } edge;
@@ -62,12 +63,15 @@ typedef struct way {
     const double *from, *to;
     uint32_t level, number, side;
     bool is_shared, is_moved;
+    int looks;
 } way;
 
 static bool blocks(void *context, const il_segment *s)
 {
-    const way *w = context;
+    way *w = context;
     const edge *e = &w->feet->edge[s->id];
+    if (++w->looks > LOOKS)
+        return true;
     for (int k = 0; k < 2; k++) {
         const double *here = k ? e->b : e->a, *there = k ? e->a : e->b;
         if (is_same(here, w->from))
@@ -86,13 +90,11 @@ static bool fences(void *context, const il_segment *s)
     return s->id != w->side && do_meet(w->from, w->to, a, b);
 }
 
-static bool is_free(const way *w)
+static bool is_free(way *w)
 {
-    const double box[4] = { fmin(w->from[0], w->to[0]), fmin(w->from[1], w->to[1]),
-                            fmax(w->from[0], w->to[0]), fmax(w->from[1], w->to[1]) };
-    way copy = *w;
-    return !il_nearest_visit(&w->feet->near_edges, 0, box, blocks, &copy) &&
-           !(w->is_moved && il_nearest_visit(&w->feet->sides->tree, 0, box, fences, &copy));
+    w->looks = 0;
+    return !il_nearest_visit_along(&w->feet->near_edges, 0, w->from, w->to, blocks, w) &&
+           !(w->is_moved && il_nearest_visit_along(&w->feet->sides->tree, 0, w->from, w->to, fences, w));
 }
 
 /* ---- lines near the ways -------------------------------------------------------- */
@@ -121,8 +123,7 @@ static bool say_true(void *context, const il_segment *s)
 
 static bool take_edge(feet *f, const double *a, const double *b, uint32_t level)
 {
-    const double box[4] = { fmin(a[0], b[0]), fmin(a[1], b[1]), fmax(a[0], b[0]), fmax(a[1], b[1]) };
-    if (!il_nearest_visit(&f->near_ways, 0, box, say_true, NULL))
+    if (!il_nearest_visit_along(&f->near_ways, 0, a, b, say_true, NULL))
         return true;
     if (!il_grow(&f->edge, &f->cap_edges, f->n_edges + 1, sizeof *f->edge))
         return false;
@@ -242,7 +243,7 @@ static void lead_place(feet *f, const item *it, place *p)
             continue;
         uint32_t k = it[i].loose;
         il_loose_end *l = &f->stops->loose[k];
-        way w = { f, l->from, l->foot.at, l->end.level, k, l->foot.side, p->is_taken, false };
+        way w = { f, l->from, l->foot.at, l->end.level, k, l->foot.side, p->is_taken, false, 0 };
         if ((!p->is_taken || p->level == l->end.level) && is_free(&w)) {
             f->is_led[k] = true;
             p->is_taken = true;
@@ -272,8 +273,10 @@ static il_status lead_all(feet *f, il_error *err)
 
 static bool crosses(void *context, const il_segment *s)
 {
-    const way *w = context;
+    way *w = context;
     const double a[2] = { s->ax, s->ay }, b[2] = { s->bx, s->by };
+    if (++w->looks > LOOKS)
+        return true;
     if (s->id >= w->number || !w->feet->is_led[s->id])
         return false;
     if (is_same(b, w->to))
@@ -294,10 +297,8 @@ static il_status drop_crossing(feet *f, il_error *err)
     }
     il_status st = il_nearest_build(&f->ways, segment, o->n_loose, 1, err);
     for (size_t k = 0; k < o->n_loose && st == IL_OK; k++) {
-        const double *p = o->loose[k].from, *q = o->loose[k].foot.at;
-        const double box[4] = { fmin(p[0], q[0]), fmin(p[1], q[1]), fmax(p[0], q[0]), fmax(p[1], q[1]) };
-        way w = { .feet = f, .from = p, .to = q, .number = (uint32_t)k };
-        if (f->is_led[k] && il_nearest_visit(&f->ways, 0, box, crosses, &w))
+        way w = { .feet = f, .from = o->loose[k].from, .to = o->loose[k].foot.at, .number = (uint32_t)k };
+        if (f->is_led[k] && il_nearest_visit_along(&f->ways, 0, w.from, w.to, crosses, &w))
             f->is_led[k] = false;
     }
     return st;

@@ -3,8 +3,8 @@
 #
 # The elevation model is sample data of matplotlib, in the public domain: 403 x 344 heights, in whole metres,
 # 3 seconds of arc apart.  GDAL draws isolines of it, every 20 m, and isoloft makes the ground of them again.
-# FOLDER, or the one at hand, gets jacksboro.geojson, jacksboro.ply (the surface, in metres of UTM) and
-# jacksboro.stl (a solid, 15 cm long, heights three times as high).
+# FOLDER, or the one at hand, gets jacksboro.asc (the model), jacksboro.geojson (isolines), jacksboro.ply (the
+# surface, in metres of UTM) and jacksboro.stl (a solid, 15 cm long, heights three times as high).
 #
 # ISOLOFT is the program to run, if not isoloft; DEM the model, if not where Debian has it.
 # Exits 77 when a package is missing.
@@ -25,13 +25,11 @@ if [ -n "$missing" ]; then
 fi
 command -v "$isoloft" >/dev/null || { echo "jacksboro.sh: no program '$isoloft'; ISOLOFT may name it" >&2; exit 1; }
 
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
 mkdir -p "$folder"
+to=$folder/jacksboro
 
 # The model as an ASCII grid; its rows run from north to south.
-"$python" - "$dem" >"$work/dem.asc" <<'END'
+"$python" - "$dem" >"$to.asc" <<'END'
 import sys
 import numpy
 dem = numpy.load(sys.argv[1])
@@ -41,7 +39,7 @@ print("xllcorner", dem["xmin"], "\nyllcorner", min(dem["ymin"], dem["ymax"]), "\
 numpy.savetxt(sys.stdout, dem["elevation"], "%d")
 END
 
-rm -f "$folder/jacksboro.geojson" # which gdal_contour would not replace
-gdal_contour -q -a elev -i 20 -f GeoJSON "$work/dem.asc" "$folder/jacksboro.geojson"
-"$isoloft" "$folder/jacksboro.geojson" -o "$folder/jacksboro.ply"
-"$isoloft" "$folder/jacksboro.geojson" --solid --fit 150mm --z-scale 3 -o "$folder/jacksboro.stl"
+rm -f "$to.geojson" # which gdal_contour would not replace
+gdal_contour -q -a elev -i 20 -f GeoJSON "$to.asc" "$to.geojson"
+"$isoloft" "$to.geojson" -o "$to.ply"
+"$isoloft" "$to.geojson" --solid --fit 150mm --z-scale 3 -o "$to.stl"

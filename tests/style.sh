@@ -13,7 +13,7 @@ sources=$(find src -name '*.c' -o -name '*.cpp' | sort)
 headers=$(find src -name '*.h' | sort)
 tests=$(find tests -name '*.[ch]' | sort)
 examples=$(find examples -name '*.c' 2>/dev/null | sort)
-scripts="$(grep -l '^#!/bin/sh' bootstrap .ci/run $(find tests -type f) 2>/dev/null) $(find tests -name '*.sh')"
+scripts="$(grep -l '^#!/bin/sh' bootstrap .ci/run $(find examples tests -type f) 2>/dev/null) $(find tests -name '*.sh')"
 
 # "FILE:LINE: code" with comments gone and strings empty, so that only code is searched.
 strip_comments='

@@ -10,8 +10,8 @@ int32_t il_cliff_level(const il_chart_node *n, il_band band)
         return n->top;
     if (n->level >= band.high)
         return n->level;
-    /* between them: lines of both meet here */
-    return band.low >= 0 ? band.low : n->level;
+    /* lines of both of the band's levels meet here, or, of a band that lacks lines, one between them */
+    return band.low > n->level ? band.low : n->level;
 }
 
 double il_cliff_z(const il_tin *t, const il_chart *c, const il_band *band, size_t k)

@@ -1,6 +1,8 @@
 #include "config.h"
 #include "terrain/ground.h"
 #include "base/alloc.h"
+#include "base/number.h"
+#include "terrain/blank.h"
 #include "terrain/cliff.h"
 #include "terrain/complaint.h"
 #include "terrain/crossing.h"
@@ -11,6 +13,7 @@
 #include "terrain/spots.h"
 
 #include <math.h>
+#include <stdio.h>
 
 void il_ground_free(il_ground *g)
 {
@@ -25,6 +28,8 @@ void il_ground_free(il_ground *g)
     il_bands_free(&g->bands);
     il_law_free(&g->law);
     il_skin_free(&g->skin);
+    il_free(g->blank);
+    g->blank = NULL;
     g->line = NULL;
     g->level_z = NULL;
     g->spot_out = NULL;
@@ -132,6 +137,11 @@ static il_status label(il_ground *g, size_t n_lines, il_error *err)
         st = il_bands_label(&g->bands, g->border, g->n_borders, n_faces, n_lines, g->n_slices, g->options->high, err);
     if (st == IL_OK && g->tin.n_cliffs > 0)
         st = il_cliff_label(&g->tin, &g->chart, g->bands.band, err);
+    il_free(g->blank);
+    g->blank = NULL;
+    g->n_blanks = 0;
+    if (st == IL_OK && g->bands.n_left_out == 0)
+        st = il_blank_leave_out(&g->tin, &g->chart, g->bands.band, &g->blank, &g->n_blanks, err);
     return st;
 }
 
@@ -264,8 +274,8 @@ static void find_longest(const il_ground *g, const double *length, uint32_t *lon
 }
 
 /* Lines that run together with others so that no ground can stand there: of those that meet,
- * the longest stays. */
-static il_status leave_out_meeting(il_ground *g, il_error *err)
+ * the longest stays.  *ANY: were there some? */
+static il_status leave_out_meeting(il_ground *g, bool *any, il_error *err)
 {
     const il_chart *c = &g->chart;
     il_complaint complaint = complaint_of(g);
@@ -279,13 +289,29 @@ static il_status leave_out_meeting(il_ground *g, il_error *err)
         if (other == IL_CHART_NONE || l >= g->n_lines || g->line[l].left_out || g->line[l].level == g->line[other].level)
             continue;
         put_back(g, c->xy + 2 * (size_t)v, at);
-        g->line[l].left_out = true;
+        g->line[l].left_out = *any = true;
         il_complaint_against(&complaint, l, at, "it meets another level", other);
     }
     bool ok = length && longest;
     il_free(length);
     il_free(longest);
     return ok ? IL_OK : il_fail_nomem(err);
+}
+
+/* Lines that go and come back over the same places, so that they part nothing. */
+static void leave_out_folded(il_ground *g, bool *any)
+{
+    const il_chart *c = &g->chart;
+    il_complaint complaint = complaint_of(g);
+    for (size_t e = 0; e < g->tin.n_sides; e++) {
+        uint32_t l = c->owner[e];
+        double at[2];
+        if (l >= g->n_lines || g->line[l].left_out || g->tin.cliff[2 * e] < 0 || g->tin.cliff[2 * e] < g->tin.cliff[2 * e + 1])
+            continue;
+        put_back(g, c->xy + 2 * (size_t)c->edge[2 * e], at);
+        g->line[l].left_out = *any = true;
+        il_complaint_left_out(&complaint, (uint32_t)l, at, "it comes back over itself");
+    }
 }
 
 /* From the lines that are not left out to a mesh that is proved. */
@@ -298,6 +324,38 @@ static il_status make_ground(il_ground *g, il_error *err)
     if (st == IL_OK)
         st = find_heights(g, err);
     return st == IL_OK ? make_mesh(g, err) : st;
+}
+
+/* No ground stands on the lines as they are: without those that meet others it may. */
+static il_status make_ground_apart(il_ground *g, il_error *err)
+{
+    const il_error why = *err;
+    bool any = false;
+    il_error_clear(err);
+    il_status st = leave_out_meeting(g, &any, err);
+    if (st != IL_OK)
+        return st;
+    if (!any)
+        leave_out_folded(g, &any);
+    if (any) {
+        il_skin_free(&g->skin);
+        return make_ground(g, err);
+    }
+    *err = why;
+    return why.code;
+}
+
+static void tell_blanks(const il_ground *g)
+{
+    for (size_t k = 0; k < g->n_blanks; k++) {
+        char x[IL_NUMBER_MAX], y[IL_NUMBER_MAX], why[2 * IL_NUMBER_MAX + 60];
+        double at[2];
+        put_back(g, g->blank + 2 * k, at);
+        il_number_format(x, at[0]);
+        il_number_format(y, at[1]);
+        snprintf(why, sizeof why, "no isoline tells its height, near (%s, %s); left out", x, y);
+        il_report_skip(g->report, g->head->n_files > 0 ? g->head->file[0] : "-", 0, "a part of the frame", why);
+    }
 }
 
 /* How much of the lines an outline cuts off. */
@@ -335,14 +393,12 @@ il_status il_ground_make(il_ground *g, il_error *err)
         leave_out_loose(g);
         st = make_ground(g, err);
     }
-    if (st == IL_E_SURFACE && g->tin.n_cliffs > 0) {
-        il_error_clear(err);
-        st = leave_out_meeting(g, err);
-        il_skin_free(&g->skin);
-        st = st == IL_OK ? make_ground(g, err) : st;
-    }
+    if (st == IL_E_SURFACE)
+        st = make_ground_apart(g, err);
     if (st == IL_OK)
         st = tell_outside(g, err);
+    if (st == IL_OK)
+        tell_blanks(g);
     if (st == IL_OK && g->skin.n_cliff > 0)
         il_report_note(g->report, "isolines of different heights run together: %zu triangles stand upright", g->skin.n_cliff);
     return st;

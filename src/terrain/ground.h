@@ -11,7 +11,8 @@
 /* What is made on the way.  Borrowed: options, head, whose placement is chosen, slice[n_slices]
  * (the levels) and report (may be null).  unit: of the map, where head's may be the mesh's.
  * spot_node[i]: of the head's spot i in the chart, IL_CHART_NONE once it is left out.  floor:
- * of the solid in the mesh, NAN for an open surface. */
+ * of the solid in the mesh, NAN for an open surface.  blank[2*n_blanks]: places in parts of the
+ * frame that were left out (terrain/blank.h). */
 typedef struct il_ground {
     const il_relief_options *options;
     il_stack_head *head;
@@ -28,6 +29,7 @@ typedef struct il_ground {
     il_tin tin;
     il_border *border;       size_t n_borders;
     il_bands bands;
+    double *blank;           size_t n_blanks;
     il_law law;
     il_skin skin;
     double floor;

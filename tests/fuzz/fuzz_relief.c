@@ -19,7 +19,9 @@
 #include "model/audit.h"
 #include "model/spots.h"
 #include "must.h"
+#include "region/clean.h"
 #include "region/joiner.h"
+#include "terrain/map-edge.h"
 #include "terrain/relief.h"
 
 #include <math.h>
@@ -42,7 +44,8 @@ typedef struct world {
     il_stack_head drawn_head, head;
     il_slice drawn[N_LEVELS], outline, slice[N_LEVELS];
     size_t n_slices;
-    il_frame frame;
+    il_frame frame;         /* where the mesh is, but for tolerance */
+    double tolerance;
     il_mesh mesh;
     il_report report;
     bool has_begun, has_mesh;
@@ -67,7 +70,8 @@ static void add_spot(world *w, const double xy[2], uint8_t level)
 {
     il_stack_head *h = &w->drawn_head;
     must(il_grow(&h->spot, &h->cap_spots, h->n_spots + 1, sizeof *h->spot), "no memory");
-    h->spot[h->n_spots++] = (il_spot){ .x = xy[0], .y = xy[1], .z = height_of_level(w->grid, level) + 5, .feature = 1 };
+    h->spot[h->n_spots] = (il_spot){ .x = xy[0], .y = xy[1], .z = height_of_level(w->grid, level) + 5, .feature = 1000 + (long)h->n_spots };
+    h->n_spots++;
 }
 
 static void draw(world *w, const uint8_t *data, size_t n)
@@ -93,7 +97,7 @@ static void draw(world *w, const uint8_t *data, size_t n)
     }
 }
 
-/* An outline when none was drawn: most of the grid, with a hole. */
+/* An outline when none was drawn: most of the grid, with a hole.  Clean, as frames have to be. */
 static void draw_outline(world *w)
 {
     static const unsigned char corner[2][4] = { { 0x11, 0x1e, 0xde, 0xd1 }, { 0x77, 0xa7, 0xaa, 0x7a } };
@@ -106,6 +110,8 @@ static void draw_outline(world *w)
             must(il_ring_add(r, xy[0], xy[1], 0), "no memory");
         }
     }
+    const il_clean_options clean = { 0 };
+    must(il_slice_clean(&w->outline, &clean, NULL, NULL, NULL) == IL_OK, "an outline is not cleaned");
 }
 
 static void take_options(world *w, const uint8_t *data)
@@ -231,32 +237,37 @@ static bool is_on_floor(const world *w, size_t t, double floor)
     return w->options.placement.solid && corner(w, t, 0)[2] == floor && corner(w, t, 1)[2] == floor && corner(w, t, 2)[2] == floor;
 }
 
-static double plan_area(const double *a, const double *b, const double *c)
+static long double plan_area(const double *a, const double *b, const double *c)
 {
-    return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    long double x[2] = { (long double)b[0] - a[0], (long double)c[0] - a[0] };
+    long double y[2] = { (long double)b[1] - a[1], (long double)c[1] - a[1] };
+    return (x[0] * y[1] - x[1] * y[0]) / 2;
 }
 
-/* The rings of the frame, where the mesh is. */
+static double largest_coordinate(const il_slice *s)
+{
+    double most = 0;
+    for (size_t i = 0; i < s->n; i++)
+        for (size_t k = 0; k < 2 * s->ring[i].n; k++)
+            most = fmax(most, fabs(s->ring[i].xy[k]));
+    return most;
+}
+
+/* The rings of the frame, where the mesh is, and what rounding may do to places on it. */
 static void place_frame(world *w)
 {
+    double scale = w->head.has_placement ? w->head.placement.scale[0] : 1;
+    w->tolerance = largest_coordinate(&w->frame.rings) / scale * 0x1p-48;
     for (size_t i = 0; i < w->frame.rings.n; i++)
         for (size_t k = 0; k < w->frame.rings.ring[i].n; k++)
             il_placement_apply(&w->head, &w->options.placement, w->frame.rings.ring[i].xy + 2 * k, w->frame.rings.ring[i].xy + 2 * k);
-}
-
-/* What rounding may do to places, of coordinates as large as those of the frame. */
-static double tolerance(const world *w)
-{
-    double most = 0;
-    for (size_t i = 0; i < w->frame.rings.n; i++)
-        for (size_t k = 0; k < 2 * w->frame.rings.ring[i].n; k++)
-            most = fmax(most, fabs(w->frame.rings.ring[i].xy[k]));
-    return most * (w->options.placement.round_float ? 0x1p-23 : 0x1p-50);
+    w->tolerance += largest_coordinate(&w->frame.rings) * (w->options.placement.round_float ? 0x1p-21 : 0x1p-48);
 }
 
 static void check_plan(const world *w)
 {
-    double floor = floor_of(w), area = 0, below = 0, frame = 0, length = 0;
+    double floor = floor_of(w), frame = 0, length = 0;
+    long double area = 0, below = 0;
     for (size_t t = 0; t < w->mesh.n_triangles; t++) {
         int turn = il_orientation(corner(w, t, 0), corner(w, t, 1), corner(w, t, 2));
         if (is_on_floor(w, t, floor)) {
@@ -271,8 +282,8 @@ static void check_plan(const world *w)
         frame += il_ring_area2(&w->frame.rings.ring[i]) / 2;
         length += il_ring_length(&w->frame.rings.ring[i]);
     }
-    must(fabs(area - frame) <= 4 * length * tolerance(w), "the surface does not cover what the frame encloses");
-    must(!w->options.placement.solid || fabs(below - frame) <= 4 * length * tolerance(w), "nor does the floor");
+    must(fabsl(area - frame) <= length * w->tolerance, "the surface does not cover what the frame encloses");
+    must(!w->options.placement.solid || fabsl(below - frame) <= length * w->tolerance, "nor does the floor");
 }
 
 /* ---- edges --------------------------------------------------------------------------- */
@@ -288,13 +299,13 @@ static double distance2_to_edge(const double *p, const double *a, const double *
 
 static bool is_on_frame(const world *w, const double *p)
 {
-    double off = 4 * tolerance(w), least = INFINITY;
+    double least = INFINITY;
     for (size_t i = 0; i < w->frame.rings.n; i++) {
         const il_ring *r = &w->frame.rings.ring[i];
         for (size_t k = 0; k < r->n; k++)
             least = fmin(least, distance2_to_edge(p, r->xy + 2 * k, r->xy + 2 * ((k + 1) % r->n)));
     }
-    return least <= off * off;
+    return least <= w->tolerance * w->tolerance;
 }
 
 static void check_edges(const world *w)
@@ -327,10 +338,10 @@ static void check_mesh(const world *w)
 
 /* ---- lines --------------------------------------------------------------------------- */
 
-static bool is_left_out(const world *w, const il_ring *r)
+static bool is_left_out(const world *w, long number)
 {
     char feature[40];
-    snprintf(feature, sizeof feature, "(feature %ld)", r->feature);
+    snprintf(feature, sizeof feature, "(feature %ld)", number);
     for (size_t k = 0; k < w->report.n_skips; k++)
         if (strstr(w->report.skip[k].what, feature))
             return true;
@@ -366,18 +377,38 @@ static bool is_inside(const world *w, const double *p)
     return inside && !is_on_frame(w, p);
 }
 
+/* Is the edge from vertex V no isoline, as there is none there or it is the map's edge? */
+static bool is_map_edge(const il_ring *r, size_t v)
+{
+    return (r->open && v + 1 == r->n) || (r->mark && r->mark[v] & IL_VERTEX_MAP_EDGE);
+}
+
 static void check_lines(const world *w)
 {
     for (size_t k = 0; k < w->n_slices; k++)
         for (size_t i = 0; i < w->slice[k].n; i++) {
             const il_ring *r = &w->slice[k].ring[i];
-            for (size_t v = 0; v < r->n && !is_left_out(w, r); v++) {
+            for (size_t v = 0; v < r->n && !is_left_out(w, r->feature); v++) {
                 double at[3];
+                if (is_map_edge(r, v) && is_map_edge(r, v > 0 ? v - 1 : r->n - 1))
+                    continue;
                 place(w, k, r->xy + 2 * v, at);
                 must(has_vertex(w, at) || (w->options.frame.kind == IL_FRAME_OUTLINE && !is_inside(w, at)),
                      "a point of a line is not there at its height");
             }
         }
+}
+
+static void check_spots(const world *w)
+{
+    for (size_t i = 0; i < w->drawn_head.n_spots; i++) {
+        const il_spot *s = &w->drawn_head.spot[i];
+        const double xy[2] = { s->x, s->y };
+        double at[3];
+        il_placement_apply(&w->head, &w->options.placement, xy, at);
+        at[2] = il_placement_height(&w->head, &w->options.placement, s->z);
+        must(is_left_out(w, s->feature) || has_vertex(w, at), "a spot height is not there");
+    }
 }
 
 static void check_origins(const world *w)
@@ -421,6 +452,8 @@ static void check(world *w, il_status st, const il_error *err)
         return;
     }
     must(w->has_mesh, "neither a mesh nor a refusal");
+    size_t n = 0;
+    must(il_map_edge_mark(w->slice, w->n_slices, &w->options.frame, &w->drawn_head, &n, NULL) == IL_OK, "no marks the second time");
     must(il_frame_make(&w->frame, &w->options.frame, &w->drawn_head, w->slice, w->n_slices, NULL) == IL_OK, "no frame the second time");
     place_frame(w);
     check_mesh(w);
@@ -428,6 +461,7 @@ static void check(world *w, il_status st, const il_error *err)
     if (!w->options.placement.solid)
         check_edges(w);
     check_lines(w);
+    check_spots(w);
     check_origins(w);
 }
 

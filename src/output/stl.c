@@ -112,13 +112,25 @@ static void add_placement(stl_header *h, const il_placement *p)
         add_words(h, words);
 }
 
+/* "EPSG:32629"; what does not fit is left out. */
+static void add_crs(stl_header *h, const char *crs)
+{
+    char shown[HEADER], words[HEADER + 2];
+    if (!crs || strlen(crs) >= sizeof shown)
+        return;
+    il_text_printable(shown, sizeof shown, crs, strlen(crs));
+    snprintf(words, sizeof words, " %s", shown);
+    add_words(h, words);
+}
+
 static void add_name(stl_header *h, const char *name, const char *joint)
 {
     if (*name && h->n + strlen(joint) < HEADER && add_words(h, joint))
         h->n += il_text_printable(h->text + h->n, sizeof h->text - h->n, name, strlen(name));
 }
 
-/* "STL isoloft NAME, NAME", zeros behind; a map's name follows on where its mesh was put.
+/* "STL isoloft NAME, NAME", zeros behind; a map's name follows on where its mesh was put,
+ * and its coordinate system.
  * It begins neither with "solid", which announces ASCII, nor with "isoloft ", the native
  * format's magic; no '=', because some readers take "COLOR=" in a header for a command. */
 static void write_header(const il_mesh_spool *m, il_output *to)
@@ -130,6 +142,7 @@ static void write_header(const il_mesh_spool *m, il_output *to)
         const char *joint = h.n == n ? " " : ", ";
         if (head->has_placement) {
             add_placement(&h, &head->placement);
+            add_crs(&h, head->crs);
             joint = " ";
         }
         add_name(&h, il_stack_head_name(head), joint);

@@ -6,6 +6,7 @@
 #include "terrain/cliff.h"
 #include "terrain/complaint.h"
 #include "terrain/crossing.h"
+#include "terrain/loose.h"
 #include "terrain/missing.h"
 #include "terrain/proof.h"
 #include "terrain/ridge.h"
@@ -68,22 +69,24 @@ static il_status list_lines(il_ground *g, il_error *err)
     return IL_OK;
 }
 
-/* Open lines that end inside the frame part nothing. */
-static void leave_out_loose(il_ground *g)
+/* Of few lines little ground can be made, and the user may not see that from what is written. */
+static void tell_loose(const il_ground *g)
+{
+    size_t n = 0;
+    for (size_t l = 0; l < g->n_lines; l++)
+        n += g->line[l].left_out;
+    if (2 * n > g->n_lines)
+        il_report_note(g->report, "%zu of %zu isolines end inside the map and are left out, so that little of it is left: "
+                       "--join closes gaps, --frame hull or a file draws the edge nearer", n, g->n_lines);
+}
+
+static il_status leave_out_loose(il_ground *g, il_error *err)
 {
     il_complaint c = complaint_of(g);
-    size_t e = 0;
-    for (size_t l = 0; l < g->n_lines; l++) {
-        const il_ring *r = ring_of(g, l);
-        const il_frame_end *end = NULL;
-        for (; e < g->frame.n_inside && g->frame.inside[e].level == (uint32_t)g->line[l].level &&
-               g->frame.inside[e].ring == (uint32_t)g->line[l].ring; e++)
-            end = end ? end : &g->frame.inside[e];
-        if (!end)
-            continue;
-        g->line[l].left_out = true;
-        il_complaint_left_out(&c, (uint32_t)l, r->xy + (end->last ? 2 * (r->n - 1) : 0), "it ends inside the map");
-    }
+    il_status st = il_loose_leave_out(g->line, g->n_lines, g->slice, &g->frame, &c, err);
+    if (st == IL_OK)
+        tell_loose(g);
+    return st;
 }
 
 /* A place of the mesh on the map. */
@@ -389,10 +392,10 @@ il_status il_ground_make(il_ground *g, il_error *err)
     if (g->frame.took_degrees)
         il_report_note(g->report, "the outline's numbers are taken as degrees: the map was in degrees there, and has no lines "
                        "where they would lie as lengths");
-    if (st == IL_OK) {
-        leave_out_loose(g);
+    if (st == IL_OK)
+        st = leave_out_loose(g, err);
+    if (st == IL_OK)
         st = make_ground(g, err);
-    }
     if (st == IL_E_SURFACE)
         st = make_ground_apart(g, err);
     if (st == IL_OK)

@@ -1,0 +1,135 @@
+#include "config.h"
+#include "terrain/loose.h"
+#include "base/alloc.h"
+#include "model/order.h"
+
+#include <stdlib.h>
+
+/* An end inside the map: of line LINE, at (x, y); place: which of all places of ends it is. */
+typedef struct end {
+    uint32_t line, place;
+    int32_t level;
+    double at[2];
+} end;
+
+/* end[n]: by level, then position, then line.  first[place] .. first[place + 1]: those of a
+ * place.  of[2*l], of[2*l + 1]: the ends of line l, UINT32_MAX for none.  due: places to look
+ * at. */
+typedef struct ends {
+    il_chart_line *line;
+    const il_slice *slice;
+    const il_complaint *complaint;
+    end *end;
+    size_t n, n_places, n_due;
+    uint32_t *first, *of, *due;
+} ends;
+
+static const il_ring *ring_of(const ends *e, uint32_t l)
+{
+    return &e->slice[e->line[l].level].ring[e->line[l].ring];
+}
+
+static int compare_ends(const void *pa, const void *pb)
+{
+    const end *a = pa, *b = pb;
+    if (a->level != b->level)
+        return a->level < b->level ? -1 : 1;
+    int c = il_vertex_compare(a->at, b->at);
+    return c != 0 ? c : (a->line > b->line) - (a->line < b->line);
+}
+
+/* Lines and the frame's ends are both by level and ring. */
+static void list_ends(ends *e, size_t n_lines, const il_frame *frame)
+{
+    uint32_t l = 0;
+    for (size_t k = 0; k < frame->n_inside; k++) {
+        const il_frame_end *in = &frame->inside[k];
+        while (l < n_lines && (e->line[l].level != (int32_t)in->level || e->line[l].ring != (int32_t)in->ring))
+            l++;
+        const il_ring *r = ring_of(e, l);
+        const double *p = r->xy + (in->last ? 2 * (r->n - 1) : 0);
+        e->end[e->n++] = (end){ l, 0, (int32_t)in->level, { p[0], p[1] } };
+    }
+    qsort(e->end, e->n, sizeof *e->end, compare_ends);
+}
+
+static void number_places(ends *e, size_t n_lines)
+{
+    for (size_t k = 0; k < 2 * n_lines; k++)
+        e->of[k] = UINT32_MAX;
+    for (uint32_t k = 0; k < e->n; k++) {
+        end *at = &e->end[k];
+        if (k == 0 || at->level != at[-1].level || il_vertex_compare(at->at, at[-1].at) != 0)
+            e->first[e->n_places++] = k;
+        at->place = (uint32_t)(e->n_places - 1);
+        e->of[2 * (size_t)at->line + (e->of[2 * (size_t)at->line] != UINT32_MAX)] = k;
+    }
+    e->first[e->n_places] = (uint32_t)e->n;
+}
+
+/* The shortest line that still ends at PLACE, of equal ones the first; *COUNT: how many ends. */
+static uint32_t find_shortest(const ends *e, uint32_t place, size_t *count)
+{
+    uint32_t shortest = UINT32_MAX;
+    double least = 0;
+    *count = 0;
+    for (uint32_t k = e->first[place]; k < e->first[place + 1]; k++) {
+        uint32_t l = e->end[k].line;
+        if (e->line[l].left_out)
+            continue;
+        double length = il_ring_length(ring_of(e, l));
+        ++*count;
+        if (shortest == UINT32_MAX || length < least) {
+            shortest = l;
+            least = length;
+        }
+    }
+    return shortest;
+}
+
+/* A line goes: where its ends were, an odd number may be left. */
+static void leave_out(ends *e, uint32_t l, const double at[2])
+{
+    e->line[l].left_out = true;
+    il_complaint_left_out(e->complaint, l, at, "it ends inside the map");
+    for (size_t k = 2 * (size_t)l; k < 2 * (size_t)l + 2; k++)
+        if (e->of[k] != UINT32_MAX)
+            e->due[e->n_due++] = e->end[e->of[k]].place;
+}
+
+static void settle(ends *e)
+{
+    for (uint32_t p = (uint32_t)e->n_places; p-- > 0;)
+        e->due[e->n_due++] = p;
+    while (e->n_due > 0) {
+        uint32_t p = e->due[--e->n_due];
+        size_t count = 0;
+        uint32_t l = find_shortest(e, p, &count);
+        if (count % 2 == 1)
+            leave_out(e, l, e->end[e->first[p]].at);
+    }
+}
+
+il_status il_loose_leave_out(il_chart_line *line, size_t n_lines, const il_slice *slice, const il_frame *frame,
+                             const il_complaint *complaint, il_error *err)
+{
+    ends e = { .line = line, .slice = slice, .complaint = complaint };
+    size_t n = frame->n_inside;
+    if (n == 0)
+        return IL_OK;
+    e.end = il_alloc(n, sizeof *e.end);
+    e.first = il_alloc(n + 1, sizeof *e.first);
+    e.of = il_alloc(2 * n_lines, sizeof *e.of);
+    e.due = il_alloc(3 * n, sizeof *e.due);
+    bool ok = e.end && e.first && e.of && e.due;
+    if (ok) {
+        list_ends(&e, n_lines, frame);
+        number_places(&e, n_lines);
+        settle(&e);
+    }
+    il_free(e.end);
+    il_free(e.first);
+    il_free(e.of);
+    il_free(e.due);
+    return ok ? IL_OK : il_fail_nomem(err);
+}

@@ -160,6 +160,26 @@ static void tell_discord(il_ground *g, const il_discord *d)
         il_complaint_missing(&c, d->line[0], d->line[1], at, d->kind == IL_DISCORD_MANY);
 }
 
+/* Lines that are missing may be so at any number of places, and levels between others at one:
+ * beyond these many sentences they are counted. */
+enum { MISSING_TOLD = 20 };
+
+static void tell_discords(il_ground *g)
+{
+    size_t n_missing = 0;
+    for (size_t k = 0; k < g->bands.n_discords; k++) {
+        const il_discord *d = &g->bands.discord[k];
+        bool is_missing = d->kind != IL_DISCORD_SIDES;
+        if (is_missing && g->bands.n_left_out > 0)
+            continue; /* what is missing is seen when those that contradict are out */
+        n_missing += is_missing;
+        if (!is_missing || n_missing <= MISSING_TOLD)
+            tell_discord(g, d);
+    }
+    if (n_missing > MISSING_TOLD)
+        il_report_note(g->report, "%zu more pairs of isolines have others missing between them: interpolated", n_missing - MISSING_TOLD);
+}
+
 /* The bands of all faces; lines that contradict the others are left out, and what the rest
  * parts is looked at anew. */
 static il_status find_bands(il_ground *g, il_error *err)
@@ -169,9 +189,8 @@ static il_status find_bands(il_ground *g, il_error *err)
         st = draw_chart(g, err);
         if (st == IL_OK)
             st = label(g, g->n_lines, err);
-        for (size_t k = 0; k < g->bands.n_discords && st == IL_OK; k++)
-            if (g->bands.n_left_out == 0 || g->bands.discord[k].kind == IL_DISCORD_SIDES)
-                tell_discord(g, &g->bands.discord[k]);
+        if (st == IL_OK)
+            tell_discords(g);
         for (size_t l = 0; l < g->n_lines && st == IL_OK && g->bands.n_left_out > 0; l++)
             g->line[l].left_out |= g->bands.left_out[l];
     } while (st == IL_OK && g->bands.n_left_out > 0);

@@ -220,4 +220,41 @@ exits 0 "--pairs of terrain" "$ISOLOFT" cone.loft -o x.ply --pairs pairs.loft
 holds "has no pairs, which is told" grep -q "terrain has no pairs: --pairs holds its lines alone" err
 holds "but the lines" sh -c '"$ISOLOFT" read -q cone.loft | cmp - pairs.loft'
 
+# Lines of several levels that run together; a level's rings are "Z: x y, x y, ...; ...".
+map_of() {
+    printf 'isoloft 1\nunit m\nstack "cliffs"\nkind terrain\n'
+    for level in "$@"; do
+        printf 'slice %s\n' "${level%%:*}"
+        printf '%s\n' "${level#*:}" | tr ';' '\n' | while IFS= read -r ring; do
+            printf 'ring\n'
+            printf '%s\n' "$ring" | tr ',' '\n' | sed 's/^ *//'
+        done
+    done
+    echo end
+}
+cliff() { # WHAT LEVEL...: both outputs sound, every vertex there
+    what=$1
+    shift
+    map_of "$@" >cliff.loft
+    exits 0 "$what" "$ISOLOFT" cliff.loft --solid -o cliff.ply
+    holds "and is sound" "$ISOLOFT" check --quiet cliff.ply
+    exits 0 "also to print" "$ISOLOFT" cliff.loft --solid --fit 150mm -q -o cliff.stl
+    holds "and sound then" "$ISOLOFT" check --quiet cliff.stl
+}
+sea='10: 0 0, 100 0, 100 100, 0 100'
+hill='20: 20 20, 80 20, 80 80, 20 80'
+cliff "two levels share an edge" "$sea" "$hill" '30: 40 20, 60 20, 60 60, 40 60'
+cliff "three levels share one" "$sea" "$hill" '30: 40 20, 60 20, 60 60, 40 60' '40: 45 20, 55 20, 50 30'
+"$ISOLOFT" cliff.loft -t ply-ascii -o cliff.ply 2>err
+holds "which is told" grep -q "isolines of different heights run together: [0-9]* triangles stand upright" err
+lacks=$(awk 'NR == FNR { at[$1 " " $2 " " $3]; next } /^slice/ { z = $2 } NF == 2 && /^[0-9]/ && !(($0 " " z) in at) { n++ } END { print n + 0 }' cliff.ply cliff.loft)
+holds "no point of the lines is lost" test "$lacks" = 0
+cliff "they touch in a point" "$sea" '20: 20 20, 50 20, 80 20, 80 80, 20 80' '30: 50 20, 60 60, 40 60'
+cliff "one level touches itself" "$sea" "$hill; 80 80, 90 80, 90 90, 80 90" '30: 40 40, 60 40, 50 60'
+cliff "whole lines lie on each other" "$sea" "$hill" '30: 20 20, 80 20, 80 80, 20 80' '50: 40 40, 60 40, 50 60'
+holds "one of which is left out" sh -c '"$ISOLOFT" cliff.loft -o x.ply 2>&1 | grep -q "skipped: cliff.loft:18: the isoline of 30 m (line 18): it meets another level"'
+cliff "lines cross" "$sea" "$hill" '30: 40 40, 60 40, 90 60, 40 60'
+holds "one of which is left out, and both are named" sh -c '"$ISOLOFT" cliff.loft -o x.ply 2>&1 |
+    grep -q "the isoline of 30 m (line 18): both of its sides lie below it, against the isoline of 20 m (line 12)"'
+
 plan

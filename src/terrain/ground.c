@@ -348,7 +348,8 @@ static il_status make_ground(il_ground *g, il_error *err)
     return st == IL_OK ? make_mesh(g, err) : st;
 }
 
-/* No ground stands on the lines as they are: without those that meet others it may. */
+/* No ground stands on the lines as they are, or nothing tells what is higher across a cliff:
+ * without those that meet others it may. */
 static il_status make_ground_apart(il_ground *g, il_error *err)
 {
     const il_error why = *err;
@@ -415,7 +416,7 @@ il_status il_ground_make(il_ground *g, il_error *err)
         st = leave_out_loose(g, err);
     if (st == IL_OK)
         st = make_ground(g, err);
-    if (st == IL_E_SURFACE)
+    if (st == IL_E_SURFACE || (st == IL_E_INPUT && g->tin.n_cliffs > 0))
         st = make_ground_apart(g, err);
     if (st == IL_OK)
         st = tell_outside(g, err);

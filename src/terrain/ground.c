@@ -16,6 +16,9 @@
 #include <math.h>
 #include <stdio.h>
 
+/* How often lines that let no ground stand are left out; what is left may show others. */
+enum { ROUNDS = 8 };
+
 void il_ground_free(il_ground *g)
 {
     il_free(g->line);
@@ -320,19 +323,21 @@ static il_status leave_out_meeting(il_ground *g, bool *any, il_error *err)
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
-/* Lines that go and come back over the same places, so that they part nothing. */
-static void leave_out_folded(il_ground *g, bool *any)
+/* Lines that part nothing: that go and come back over the same places, or lead from the outer
+ * side of the frame to a hole of it. */
+static void leave_out_idle(il_ground *g, bool *any)
 {
     const il_chart *c = &g->chart;
     il_complaint complaint = complaint_of(g);
     for (size_t e = 0; e < g->tin.n_sides; e++) {
-        uint32_t l = c->owner[e];
+        uint32_t l = c->owner[e], left = g->tin.side[2 * e], right = g->tin.side[2 * e + 1];
+        bool is_fold = g->tin.cliff[2 * e] >= 0 && g->tin.cliff[2 * e] == g->tin.cliff[2 * e + 1];
         double at[2];
-        if (l >= g->n_lines || g->line[l].left_out || g->tin.cliff[2 * e] < 0 || g->tin.cliff[2 * e] < g->tin.cliff[2 * e + 1])
+        if (l >= g->n_lines || g->line[l].left_out || !(is_fold || (left == right && left != IL_CHART_NONE)))
             continue;
         put_back(g, c->xy + 2 * (size_t)c->edge[2 * e], at);
         g->line[l].left_out = *any = true;
-        il_complaint_left_out(&complaint, (uint32_t)l, at, "it comes back over itself");
+        il_complaint_left_out(&complaint, (uint32_t)l, at, "the ground on both of its sides is the same");
     }
 }
 
@@ -359,7 +364,7 @@ static il_status make_ground_apart(il_ground *g, il_error *err)
     if (st != IL_OK)
         return st;
     if (!any)
-        leave_out_folded(g, &any);
+        leave_out_idle(g, &any);
     if (any) {
         il_skin_free(&g->skin);
         return make_ground(g, err);
@@ -416,7 +421,8 @@ il_status il_ground_make(il_ground *g, il_error *err)
         st = leave_out_loose(g, err);
     if (st == IL_OK)
         st = make_ground(g, err);
-    if (st == IL_E_SURFACE || (st == IL_E_INPUT && g->tin.n_cliffs > 0))
+    for (int round = 0; (st == IL_E_SURFACE || (st == IL_E_INPUT && g->tin.n_cliffs > 0)) && round < ROUNDS; round++)
+        st = make_ground_apart(g, err);
         st = make_ground_apart(g, err);
     if (st == IL_OK)
         st = tell_outside(g, err);

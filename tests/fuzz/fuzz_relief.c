@@ -257,11 +257,22 @@ static double largest_coordinate(const il_slice *s)
 static void place_frame(world *w)
 {
     double scale = w->head.has_placement ? w->head.placement.scale[0] : 1;
-    w->tolerance = largest_coordinate(&w->frame.rings) / scale * 0x1p-48;
+    w->tolerance = largest_coordinate(&w->frame.rings) / scale * 0x1p-42;
     for (size_t i = 0; i < w->frame.rings.n; i++)
         for (size_t k = 0; k < w->frame.rings.ring[i].n; k++)
             il_placement_apply(&w->head, &w->options.placement, w->frame.rings.ring[i].xy + 2 * k, w->frame.rings.ring[i].xy + 2 * k);
-    w->tolerance += largest_coordinate(&w->frame.rings) * (w->options.placement.round_float ? 0x1p-21 : 0x1p-48);
+    w->tolerance += largest_coordinate(&w->frame.rings) * (w->options.placement.round_float ? 0x1p-20 : 0x1p-42);
+}
+
+static bool is_told(const world *w, const char *words)
+{
+    for (size_t k = 0; k < w->report.n_notes; k++)
+        if (strstr(w->report.note[k], words))
+            return true;
+    for (size_t k = 0; k < w->report.n_skips; k++)
+        if (strstr(w->report.skip[k].what, words))
+            return true;
+    return false;
 }
 
 static void check_plan(const world *w)
@@ -282,8 +293,10 @@ static void check_plan(const world *w)
         frame += il_ring_area2(&w->frame.rings.ring[i]) / 2;
         length += il_ring_length(&w->frame.rings.ring[i]);
     }
-    must(fabsl(area - frame) <= length * w->tolerance, "the surface does not cover what the frame encloses");
-    must(!w->options.placement.solid || fabsl(below - frame) <= length * w->tolerance, "nor does the floor");
+    if (w->options.placement.solid)
+        must(fabsl(area - below) <= length * w->tolerance, "surface and floor do not cover the same");
+    must(fabsl(area - frame) <= length * w->tolerance || (area < frame && is_told(w, "a part of the frame")),
+         "the surface does not cover what the frame encloses");
 }
 
 /* ---- edges --------------------------------------------------------------------------- */
@@ -324,6 +337,18 @@ static void check_edges(const world *w)
     }
 }
 
+/* Outlines that touch themselves give surfaces that do, and no solids. */
+static bool is_pinched(const il_slice *s)
+{
+    for (size_t i = 0; i < s->n; i++)
+        for (size_t j = 0; j <= i; j++)
+            for (size_t k = 0; k < s->ring[i].n; k++)
+                for (size_t l = 0; l < (i == j ? k : s->ring[j].n); l++)
+                    if (memcmp(s->ring[i].xy + 2 * k, s->ring[j].xy + 2 * l, 2 * sizeof(double)) == 0)
+                        return true;
+    return false;
+}
+
 static void check_mesh(const world *w)
 {
     il_audit a;
@@ -333,7 +358,7 @@ static void check_mesh(const world *w)
     must(il_mesh_audit(&w->mesh, &a, NULL) == IL_OK, "no audit");
     must(!w->options.placement.solid || il_audit_is_sound(&a), "a solid is not sound");
     must(a.self_intersections == 0 && a.degenerate_triangles == 0 && a.loose_vertices == 0, "a surface is not sound");
-    must(a.manifold && a.oriented, "a surface is no manifold");
+    must((a.manifold || is_pinched(&w->frame.rings)) && a.oriented, "a surface is no manifold");
 }
 
 /* ---- lines --------------------------------------------------------------------------- */
@@ -383,6 +408,13 @@ static bool is_map_edge(const il_ring *r, size_t v)
     return (r->open && v + 1 == r->n) || (r->mark && r->mark[v] & IL_VERTEX_MAP_EDGE);
 }
 
+/* Outside of the outline, or of what is left of it; or where rounding folds the frame, which is told. */
+static bool may_be_missing(const world *w, const double *at)
+{
+    return (w->options.frame.kind == IL_FRAME_OUTLINE && (!is_inside(w, at) || is_told(w, "a part of the frame"))) ||
+           (w->options.placement.round_float && is_told(w, "outside the frame"));
+}
+
 static void check_lines(const world *w)
 {
     for (size_t k = 0; k < w->n_slices; k++)
@@ -393,8 +425,7 @@ static void check_lines(const world *w)
                 if (is_map_edge(r, v) && is_map_edge(r, v > 0 ? v - 1 : r->n - 1))
                     continue;
                 place(w, k, r->xy + 2 * v, at);
-                must(has_vertex(w, at) || (w->options.frame.kind == IL_FRAME_OUTLINE && !is_inside(w, at)),
-                     "a point of a line is not there at its height");
+                must(has_vertex(w, at) || may_be_missing(w, at), "a point of a line is not there at its height");
             }
         }
 }
@@ -444,6 +475,8 @@ static il_status feed(world *w, il_sink *joiner, il_error *err)
 
 static void check(world *w, il_status st, const il_error *err)
 {
+    if (st == IL_E_SURFACE && strstr(err->text, "the frame touches itself") && is_pinched(&w->outline))
+        return;
     if (st != IL_OK) {
         if (err->code != IL_E_INPUT)
             fprintf(stderr, "%d: %s\n", err->code, err->text);

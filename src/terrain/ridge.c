@@ -25,19 +25,10 @@ static bool is_chord(const il_tin *t, const il_chart *c, const il_band *band, si
     return on_lines && il_cliff_z(t, c, band, k) == il_cliff_z(t, c, band, il_tin_after(k));
 }
 
-/* Which edge of triangle NEXT leads to triangle T. */
-static size_t edge_to(const il_tin *t, uint32_t next, size_t from)
-{
-    size_t k = 3 * (size_t)next;
-    while (t->across[k] != from)
-        k++;
-    return k;
-}
-
 /* Is P strictly inside the two triangles on edge K?  Rounding may have carried it out. */
 static bool is_between(const il_tin *t, const il_chart *c, size_t k, const double p[2])
 {
-    size_t j = edge_to(t, t->across[k], k / 3);
+    size_t j = il_tin_twin(t, k);
     const double *a = corner(t, c, k), *b = corner(t, c, il_tin_after(k)), *left = corner(t, c, il_tin_after(il_tin_after(k)));
     const double *right = corner(t, c, il_tin_after(il_tin_after(j)));
     return il_orientation(b, left, p) > 0 && il_orientation(left, a, p) > 0 &&
@@ -77,7 +68,7 @@ static void give_up_unsound(const il_tin *t, const il_chart *c, uint32_t *middle
             more = true;
             for (size_t j = 3 * k; j < 3 * k + 3; j++) {
                 if (middle[j] != IL_CHART_NONE)
-                    middle[edge_to(t, t->across[j], k)] = IL_CHART_NONE;
+                    middle[il_tin_twin(t, j)] = IL_CHART_NONE;
                 middle[j] = IL_CHART_NONE;
             }
         }
@@ -96,7 +87,7 @@ static il_status add_middles(il_tin *t, il_chart *c, const il_law *law, const il
             continue;
         ok = add_middle(t, c, law, o, k, &middle[k]);
         if (ok && middle[k] != IL_CHART_NONE) {
-            middle[edge_to(t, t->across[k], k / 3)] = middle[k];
+            middle[il_tin_twin(t, k)] = middle[k];
             ++*n;
         }
     }

@@ -123,9 +123,7 @@ static il_status lay_cliffs(laying *l, il_error *err)
         const il_chart_node *a = &l->c->node[t->corner[k]], *b = &l->c->node[t->corner[il_tin_after(k)]];
         if (a->level == a->top && b->level == b->top)
             continue;
-        size_t j = 3 * (size_t)next;
-        while (t->across[j] != k / 3)
-            j++;
+        size_t j = il_tin_twin(t, k);
         uint32_t a0 = vertex_of(l, k), a1 = vertex_of(l, il_tin_after(j)), b0 = vertex_of(l, il_tin_after(k)), b1 = vertex_of(l, j);
         if ((a1 > a0 && b1 < b0) || (a1 < a0 && b1 > b0))
             return il_fail(err, IL_E_SURFACE, l->head->line, "stack \"%.60s\": isolines run together so that the ground would cross itself",

@@ -65,6 +65,15 @@ square 20.5 90.5 | sed 's/\[\[.*/[[20.5,20.5],[90.5,90.5],[90.5,20.5],[20.5,90.5
 exits 0 "an outline may cross itself" "$ISOLOFT" --unit m --frame bow.geojson cone.loft -o bow.ply
 holds "which is told" grep -q "the outline crosses or touches itself at 1 place" err
 
+cat >touching.geojson <<'END'
+{"type":"Polygon","coordinates":[[[0,0],[50,0],[100,0],[100,100],[0,100],[0,0]],[[50,0],[60,10],[50,15],[40,10],[50,0]]]}
+END
+printf '%s\n' 'isoloft 1' 'unit m' 'stack "slope"' 'kind terrain' 'slice 10' line '0 20' '50 22' '100 20' \
+    'slice 20' line '0 80' '50 82' '100 80' end >slope.loft
+exits 0 "or touch itself at a point that no line comes near" "$ISOLOFT" --unit m --frame touching.geojson slope.loft -o slope.ply
+exits 6 "where no solid can stand" "$ISOLOFT" --unit m --frame touching.geojson --solid slope.loft -o none.ply
+holds "which is told" grep -q "the frame touches itself" err
+
 # ---- what is none -----------------------------------------------------------------
 
 refused() { # CODE SENTENCE WORDS FILE [ARGUMENT]...

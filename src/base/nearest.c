@@ -192,22 +192,22 @@ double il_nearest_distance(const il_nearest *t, size_t c, double x, double y)
     return sqrt(q.least);
 }
 
-static bool find_place(const il_nearest *t, size_t c, search *q, il_near *out)
+static bool find_place(const il_nearest *t, size_t c, search *q, il_nearest_place *out)
 {
     find(t, c, q);
     if (!q->best)
         return false;
-    *out = (il_near){ q->best->id, nearest_t(q->best, q->x, q->y), sqrt(q->least) };
+    *out = (il_nearest_place){ q->best->id, nearest_t(q->best, q->x, q->y), sqrt(q->least) };
     return true;
 }
 
-bool il_nearest_find(const il_nearest *t, size_t c, double x, double y, double dx, double dy, il_near *out)
+bool il_nearest_find(const il_nearest *t, size_t c, double x, double y, double dx, double dy, il_nearest_place *out)
 {
     search q = { .x = x, .y = y, .dx = dx, .dy = dy, .directed = true };
     return find_place(t, c, &q, out);
 }
 
-bool il_nearest_point(const il_nearest *t, size_t c, double x, double y, il_near *out)
+bool il_nearest_point(const il_nearest *t, size_t c, double x, double y, il_nearest_place *out)
 {
     search q = { .x = x, .y = y };
     return find_place(t, c, &q, out);

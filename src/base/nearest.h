@@ -34,17 +34,17 @@ void il_nearest_free(il_nearest *t);
 double il_nearest_distance(const il_nearest *t, size_t c, double x, double y);
 
 /* A place on a segment, t in [0, 1], and how far away it is. */
-typedef struct il_near {
+typedef struct il_nearest_place {
     size_t id;
     double t, distance;
-} il_near;
+} il_nearest_place;
 
 /* The place of class C nearest to (X, Y) on segments that turn less than a right
  * angle from (DX, DY); false when there are none. */
-bool il_nearest_find(const il_nearest *t, size_t c, double x, double y, double dx, double dy, il_near *out);
+bool il_nearest_find(const il_nearest *t, size_t c, double x, double y, double dx, double dy, il_nearest_place *out);
 
 /* Likewise on all segments of the class. */
-bool il_nearest_point(const il_nearest *t, size_t c, double x, double y, il_near *out);
+bool il_nearest_point(const il_nearest *t, size_t c, double x, double y, il_nearest_place *out);
 
 /* Show VISIT each segment of class C whose own box meets BOX (least x and y, greatest x
  * and y), until it says true: what it said last, false when there was none.  CONTEXT is

@@ -166,7 +166,7 @@ static il_status build_tree(layer *l, il_error *err)
 }
 
 /* The place on the lower arc nearest to upper knot I, on what runs the same way. */
-static bool find_foot(const layer *l, size_t i, il_near *foot)
+static bool find_foot(const layer *l, size_t i, il_nearest_place *foot)
 {
     const arc *a = &l->arc[IL_UPPER];
     const knot *before = &a->k[i > 0 ? i - 1 : a->n - 2], *after = &a->k[i + 1 < a->n ? i + 1 : 1];
@@ -180,7 +180,7 @@ static bool best_start(const layer *l, spot start[2])
     const arc *low = &l->arc[IL_LOWER], *up = &l->arc[IL_UPPER];
     double least = INFINITY;
     for (size_t i = 0; i + 1 < up->n; i++) {
-        il_near foot;
+        il_nearest_place foot;
         if (up->k[i].soft || up->k[i].at.t > 0 || !find_foot(l, i, &foot))
             continue;
         for (size_t j = foot.id; j <= foot.id + 1; j++) {
@@ -204,7 +204,7 @@ static void project(layer *l, bool closed)
     double length = low->k[low->n - 1].length, own = up->k[up->n - 1].length;
     for (size_t i = 1; i + 1 < up->n; i++) {
         double expected = up->k[i].length / own * length, s = expected;
-        il_near foot;
+        il_nearest_place foot;
         if (find_foot(l, i, &foot))
             s = low->k[foot.id].length + foot.t * (low->k[foot.id + 1].length - low->k[foot.id].length);
         if (closed)

@@ -160,7 +160,7 @@ static il_status add_loose(walk *w, size_t side, double t, const double *at, con
 static il_status take_end(walk *w, const double *p, il_error *err)
 {
     const il_frame_sides *s = w->sides;
-    il_near n;
+    il_nearest_place n;
     il_curve_place c;
     bool is_on = il_nearest_point(&s->tree, 0, p[0], p[1], &n) && n.distance <= s->slack;
     if (!is_on && !is_inside(s, n.id, n.t, p))

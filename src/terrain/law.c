@@ -126,7 +126,7 @@ static double sink_from(const il_law *l, uint32_t face, int32_t above, double wi
 static double nearest_line(const il_law *l, uint32_t face, size_t upper, double x, double y, int32_t *level)
 {
     il_band b = l->band[face];
-    il_near near;
+    il_nearest_place near;
     if (!il_nearest_point(&l->borders, 2 * (size_t)face + upper, x, y, &near))
         return INFINITY;
     *level = l->chart->height[near.id];
@@ -166,7 +166,7 @@ static double clamp(const il_law *l, uint32_t face, double z)
 double il_law_height(const il_law *l, uint32_t face, double x, double y)
 {
     double to_line = 0, z = height_of_lines(l, face, x, y, &to_line);
-    il_near near;
+    il_nearest_place near;
     if (!isfinite(to_line) || !il_nearest_point(&l->spots, face, x, y, &near))
         return z;
     double share = to_line + near.distance > 0 ? to_line / (to_line + near.distance) : 1;

@@ -26,7 +26,7 @@ static uint32_t side_at(const marking *m, double x, double y)
     double far = m->sides.slack;
     bool is_inner = !m->is_given && !m->sides.is_curved &&
                     fmin(fmin(x - b[0], b[2] - x), fmin(y - b[1], b[3] - y)) > far;
-    il_near near;
+    il_nearest_place near;
     if (is_inner || !il_nearest_point(&m->sides.tree, 0, x, y, &near) || near.distance > far)
         return NO_SIDE;
     return (uint32_t)near.id;

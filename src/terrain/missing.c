@@ -18,11 +18,6 @@ typedef struct drawing {
     il_keymap once, lies;
 } drawing;
 
-static size_t after(size_t k)
-{
-    return k % 3 == 2 ? k - 2 : k + 1;
-}
-
 static bool lacks_lines(const drawing *d, size_t triangle)
 {
     uint32_t f = d->t->face[triangle];
@@ -134,7 +129,7 @@ static bool draw_level(drawing *d, size_t triangle, int32_t level)
     for (size_t i = 0; i < 3; i++) {
         size_t k = 3 * triangle + i;
         if (below[i] != below[(i + 1) % 3])
-            end[n++] = node_between(d, below[i] ? k : after(k), below[i] ? after(k) : k, level);
+            end[n++] = node_between(d, below[i] ? k : il_tin_after(k), below[i] ? il_tin_after(k) : k, level);
     }
     /* the higher ground on the left, as nobody else has a say */
     return n < 2 || draw(d, end[0], end[1], level);
@@ -168,7 +163,7 @@ static bool draw_levels(drawing *d, size_t triangle)
 static bool divide(drawing *d, size_t j, size_t e)
 {
     il_chart *c = d->c;
-    size_t from = c->edge[2 * e] == d->t->corner[j] ? j : after(j), to = from == j ? after(j) : j;
+    size_t from = c->edge[2 * e] == d->t->corner[j] ? j : il_tin_after(j), to = from == j ? il_tin_after(j) : j;
     uint32_t b = c->edge[2 * e + 1], before = c->edge[2 * e];
     double za = z_of(d, from), zb = z_of(d, to);
     bool rises = za < zb, first = true;

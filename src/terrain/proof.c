@@ -82,14 +82,9 @@ typedef struct halves {
     uint32_t *first, *of;
 } halves;
 
-static size_t after(size_t k)
-{
-    return k % 3 == 2 ? k - 2 : k + 1;
-}
-
 static uint32_t lesser(const il_skin *s, size_t k)
 {
-    uint32_t a = s->tri[k], b = s->tri[after(k)];
+    uint32_t a = s->tri[k], b = s->tri[il_tin_after(k)];
     return a < b ? a : b;
 }
 
@@ -116,8 +111,8 @@ static void count(const halves *h, const il_skin *s, uint32_t a, uint32_t b, siz
     n[0] = n[1] = 0;
     for (uint32_t i = h->first[low]; i < h->first[low + 1]; i++) {
         size_t k = h->of[i];
-        n[0] += s->tri[k] == a && s->tri[after(k)] == b;
-        n[1] += s->tri[k] == b && s->tri[after(k)] == a;
+        n[0] += s->tri[k] == a && s->tri[il_tin_after(k)] == b;
+        n[1] += s->tri[k] == b && s->tri[il_tin_after(k)] == a;
     }
 }
 
@@ -135,7 +130,7 @@ static size_t count_rim(const proof *p)
 
 static bool is_rim(const proof *p, size_t k)
 {
-    uint32_t a = p->s->node[p->s->tri[k]], b = p->s->node[p->s->tri[after(k)]];
+    uint32_t a = p->s->node[p->s->tri[k]], b = p->s->node[p->s->tri[il_tin_after(k)]];
     return p->c->node[a].is_frame && p->c->node[b].is_frame;
 }
 
@@ -145,12 +140,12 @@ static il_status prove_edges(const proof *p, const halves *h)
     size_t n_open = 0;
     for (size_t k = 0; k < 3 * s->n_triangles; k++) {
         size_t n[2];
-        count(h, s, s->tri[k], s->tri[after(k)], n);
+        count(h, s, s->tri[k], s->tri[il_tin_after(k)], n);
         if (n[0] != 1 || n[1] > 1)
             return refute(p, s->tri[k], "an edge belongs to several triangles on one side");
         if (n[1] == 1)
             continue;
-        n_open += s->node[s->tri[k]] != s->node[s->tri[after(k)]];
+        n_open += s->node[s->tri[k]] != s->node[s->tri[il_tin_after(k)]];
         if (!isnan(p->floor) || !is_rim(p, k))
             return refute(p, s->tri[k], "an edge lacks its other triangle");
     }

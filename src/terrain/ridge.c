@@ -10,12 +10,6 @@
 /* A third brings nothing but triangles. */
 enum { ROUNDS = 2 };
 
-/* The corner after number K of its triangle, and the one after that. */
-static size_t after(size_t k)
-{
-    return k % 3 == 2 ? k - 2 : k + 1;
-}
-
 static const double *corner(const il_tin *t, const il_chart *c, size_t k)
 {
     return c->xy + 2 * (size_t)t->corner[k];
@@ -27,25 +21,16 @@ static bool is_chord(const il_tin *t, const il_chart *c, const il_band *band, si
     uint32_t across = t->across[k];
     if (t->face[k / 3] == IL_CHART_NONE || t->edge[k] != IL_CHART_NONE || across == IL_CHART_NONE || across < k / 3)
         return false;
-    bool on_lines = c->node[t->corner[k]].level >= 0 && c->node[t->corner[after(k)]].level >= 0;
-    return on_lines && il_cliff_z(t, c, band, k) == il_cliff_z(t, c, band, after(k));
-}
-
-/* Which edge of triangle NEXT leads to triangle T. */
-static size_t edge_to(const il_tin *t, uint32_t next, size_t from)
-{
-    size_t k = 3 * (size_t)next;
-    while (t->across[k] != from)
-        k++;
-    return k;
+    bool on_lines = c->node[t->corner[k]].level >= 0 && c->node[t->corner[il_tin_after(k)]].level >= 0;
+    return on_lines && il_cliff_z(t, c, band, k) == il_cliff_z(t, c, band, il_tin_after(k));
 }
 
 /* Is P strictly inside the two triangles on edge K?  Rounding may have carried it out. */
 static bool is_between(const il_tin *t, const il_chart *c, size_t k, const double p[2])
 {
-    size_t j = edge_to(t, t->across[k], k / 3);
-    const double *a = corner(t, c, k), *b = corner(t, c, after(k)), *left = corner(t, c, after(after(k)));
-    const double *right = corner(t, c, after(after(j)));
+    size_t j = il_tin_twin(t, k);
+    const double *a = corner(t, c, k), *b = corner(t, c, il_tin_after(k)), *left = corner(t, c, il_tin_after(il_tin_after(k)));
+    const double *right = corner(t, c, il_tin_after(il_tin_after(j)));
     return il_orientation(b, left, p) > 0 && il_orientation(left, a, p) > 0 &&
            il_orientation(a, right, p) > 0 && il_orientation(right, b, p) > 0;
 }
@@ -53,7 +38,7 @@ static bool is_between(const il_tin *t, const il_chart *c, size_t k, const doubl
 /* The middle of edge K of triangles, or IL_CHART_NONE; false without memory. */
 static bool add_middle(const il_tin *t, il_chart *c, const il_law *law, const il_placement_options *o, size_t k, uint32_t *middle)
 {
-    const double *a = corner(t, c, k), *b = corner(t, c, after(k));
+    const double *a = corner(t, c, k), *b = corner(t, c, il_tin_after(k));
     const double p[2] = { il_placement_round(o, a[0] + (b[0] - a[0]) / 2), il_placement_round(o, a[1] + (b[1] - a[1]) / 2) };
     double level = il_cliff_z(t, c, law->band, k);
     *middle = IL_CHART_NONE;
@@ -83,7 +68,7 @@ static void give_up_unsound(const il_tin *t, const il_chart *c, uint32_t *middle
             more = true;
             for (size_t j = 3 * k; j < 3 * k + 3; j++) {
                 if (middle[j] != IL_CHART_NONE)
-                    middle[edge_to(t, t->across[j], k)] = IL_CHART_NONE;
+                    middle[il_tin_twin(t, j)] = IL_CHART_NONE;
                 middle[j] = IL_CHART_NONE;
             }
         }
@@ -102,7 +87,7 @@ static il_status add_middles(il_tin *t, il_chart *c, const il_law *law, const il
             continue;
         ok = add_middle(t, c, law, o, k, &middle[k]);
         if (ok && middle[k] != IL_CHART_NONE) {
-            middle[edge_to(t, t->across[k], k / 3)] = middle[k];
+            middle[il_tin_twin(t, k)] = middle[k];
             ++*n;
         }
     }

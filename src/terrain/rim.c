@@ -9,17 +9,25 @@ static double distance(const il_chart *c, uint32_t a, uint32_t b)
     return hypot(c->xy[2 * (size_t)b] - c->xy[2 * (size_t)a], c->xy[2 * (size_t)b + 1] - c->xy[2 * (size_t)a + 1]);
 }
 
-/* next[node]: the one after it on the frame, IL_CHART_NONE off it. */
+/* next[node]: the one after it on the frame, IL_CHART_NONE off it and where the frame touches
+ * itself: a way through such a node could go round without an end. */
 static bool find_next(const il_chart *c, uint32_t *next)
 {
-    if (!next)
-        return false;
-    for (size_t v = 0; v < c->n_nodes; v++)
+    unsigned char *edges = il_calloc(c->n_nodes, 1);
+    for (size_t v = 0; edges && next && v < c->n_nodes; v++)
         next[v] = IL_CHART_NONE;
-    for (size_t e = 0; e < c->n_edges; e++)
-        if (c->owner[e] == IL_CHART_NONE)
-            next[c->edge[2 * e]] = c->edge[2 * e + 1];
-    return true;
+    for (size_t k = 0; edges && next && k < 2 * c->n_edges; k++) {
+        uint32_t v = c->edge[k];
+        if (c->owner[k / 2] != IL_CHART_NONE)
+            continue;
+        edges[v] = edges[v] < 3 ? (unsigned char)(edges[v] + 1) : 3;
+        if (k % 2 == 0)
+            next[v] = c->edge[k + 1];
+    }
+    for (size_t v = 0; edges && next && v < c->n_nodes; v++)
+        next[v] = edges[v] == 2 ? next[v] : IL_CHART_NONE;
+    il_free(edges);
+    return edges && next;
 }
 
 /* From node A, which has a height, to the next one that has. */

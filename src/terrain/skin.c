@@ -40,11 +40,6 @@ static bool add_triangle(il_skin *s, uint32_t a, uint32_t b, uint32_t c, int32_t
     return true;
 }
 
-static size_t after(size_t k)
-{
-    return k % 3 == 2 ? k - 2 : k + 1;
-}
-
 /* first[node]: its lowest vertex, those of higher levels following it; IL_CHART_NONE where the
  * node is outside. */
 typedef struct laying {
@@ -125,13 +120,11 @@ static il_status lay_cliffs(laying *l, il_error *err)
         uint32_t next = t->across[k];
         if (next == IL_CHART_NONE || next < k / 3 || t->face[k / 3] == IL_CHART_NONE || t->face[next] == IL_CHART_NONE)
             continue;
-        const il_chart_node *a = &l->c->node[t->corner[k]], *b = &l->c->node[t->corner[after(k)]];
+        const il_chart_node *a = &l->c->node[t->corner[k]], *b = &l->c->node[t->corner[il_tin_after(k)]];
         if (a->level == a->top && b->level == b->top)
             continue;
-        size_t j = 3 * (size_t)next;
-        while (t->across[j] != k / 3)
-            j++;
-        uint32_t a0 = vertex_of(l, k), a1 = vertex_of(l, after(j)), b0 = vertex_of(l, after(k)), b1 = vertex_of(l, j);
+        size_t j = il_tin_twin(t, k);
+        uint32_t a0 = vertex_of(l, k), a1 = vertex_of(l, il_tin_after(j)), b0 = vertex_of(l, il_tin_after(k)), b1 = vertex_of(l, j);
         if ((a1 > a0 && b1 < b0) || (a1 < a0 && b1 > b0))
             return il_fail(err, IL_E_SURFACE, l->head->line, "stack \"%.60s\": isolines run together so that the ground would cross itself",
                            il_stack_head_name(l->head));
@@ -231,7 +224,7 @@ static bool draw_rim(closing *w, il_chart *rim, uint32_t *to)
     }
     for (size_t k = 0; k < 3 * w->t->n && ok; k++)
         if (is_rim(w->t, k))
-            ok = il_chart_add_edge(rim, from[w->t->corner[k]], from[w->t->corner[after(k)]], IL_CHART_NONE, -1);
+            ok = il_chart_add_edge(rim, from[w->t->corner[k]], from[w->t->corner[il_tin_after(k)]], IL_CHART_NONE, -1);
     il_free(from);
     return ok;
 }

@@ -104,7 +104,7 @@ static il_status find_edges(il_tin *t, const il_chart *c, size_t *found, il_erro
         t->cliff[e] = -1;
     *found = 0;
     for (size_t k = 0; ok && k < 3 * t->n; k++) {
-        uint32_t a = t->corner[k], b = t->corner[k % 3 == 2 ? k - 2 : k + 1];
+        uint32_t a = t->corner[k], b = t->corner[il_tin_after(k)];
         uint32_t across = t->across[k];
         t->edge[k] = find_edge(&i, c, a, b);
         if (t->edge[k] != IL_CHART_NONE)

@@ -40,6 +40,15 @@ static inline size_t il_tin_after(size_t k)
     return k % 3 == 2 ? k - 2 : k + 1;
 }
 
+/* Edge K of triangles, of which one lies across: the number it has there. */
+static inline size_t il_tin_twin(const il_tin *t, size_t k)
+{
+    size_t j = 3 * (size_t)t->across[k];
+    while (t->across[j] != k / 3)
+        j++;
+    return j;
+}
+
 /* Twice the area of triangle T. */
 double il_tin_area2(const il_tin *t, const il_chart *c, size_t triangle);
 

@@ -423,7 +423,6 @@ il_status il_ground_make(il_ground *g, il_error *err)
         st = make_ground(g, err);
     for (int round = 0; (st == IL_E_SURFACE || (st == IL_E_INPUT && g->tin.n_cliffs > 0)) && round < ROUNDS; round++)
         st = make_ground_apart(g, err);
-        st = make_ground_apart(g, err);
     if (st == IL_OK)
         st = tell_outside(g, err);
     if (st == IL_OK)

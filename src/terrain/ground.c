@@ -246,6 +246,21 @@ static il_status find_heights(il_ground *g, il_error *err)
 
 /* ---- the mesh -------------------------------------------------------------------- */
 
+/* Is there any part of the frame whose height a line tells? */
+static il_status require_ground(const il_ground *g, il_error *err)
+{
+    size_t n_out = 0;
+    for (size_t k = 0; k < g->tin.n; k++)
+        if (g->tin.face[k] != IL_CHART_NONE)
+            return IL_OK;
+    for (size_t l = 0; l < g->n_lines; l++)
+        n_out += g->line[l].left_out;
+    if (n_out == g->n_lines)
+        return il_fail(err, IL_E_INPUT, g->head->line, "no isoline tells the height of the ground: all had to be left out, "
+                       "as they end inside the map or contradict one another");
+    return il_fail(err, IL_E_INPUT, g->head->line, "no line of the map lies inside the frame");
+}
+
 static il_status settle_heights(il_ground *g, il_error *err)
 {
     double lowest = INFINITY, highest = -INFINITY, floor = 0;
@@ -263,13 +278,13 @@ static il_status settle_heights(il_ground *g, il_error *err)
 
 static il_status make_mesh(il_ground *g, il_error *err)
 {
-    il_status st = settle_heights(g, err);
+    il_status st = require_ground(g, err);
+    if (st == IL_OK)
+        st = settle_heights(g, err);
     if (st == IL_OK)
         st = il_skin_lay(&g->skin, &g->tin, &g->chart, g->bands.band, g->head, &g->options->placement, err);
     if (st == IL_OK && g->options->placement.solid)
         st = il_skin_close(&g->skin, &g->tin, &g->chart, g->floor, err);
-    if (st == IL_OK && g->skin.n_surface == 0)
-        st = il_fail(err, IL_E_INPUT, g->head->line, "no line of the map lies inside the frame");
     return st == IL_OK ? il_skin_prove(&g->skin, &g->tin, &g->chart, g->head, &g->options->placement, g->floor, err) : st;
 }
 

@@ -321,20 +321,28 @@ static bool is_on_frame(const world *w, const double *p)
     return least <= w->tolerance * w->tolerance;
 }
 
+static int by_number(const void *pa, const void *pb)
+{
+    const uint64_t *a = pa, *b = pb;
+    return (*a > *b) - (*a < *b);
+}
+
 static void check_edges(const world *w)
 {
-    for (size_t k = 0; k < 3 * w->mesh.n_triangles; k++) {
-        uint32_t a = w->mesh.tri[k], b = w->mesh.tri[k % 3 == 2 ? k - 2 : k + 1];
-        size_t same = 0, reverse = 0;
-        for (size_t j = 0; j < 3 * w->mesh.n_triangles; j++) {
-            uint32_t c = w->mesh.tri[j], d = w->mesh.tri[j % 3 == 2 ? j - 2 : j + 1];
-            same += a == c && b == d;
-            reverse += a == d && b == c;
-        }
-        must(same == 1 && reverse <= 1, "an edge is there several times");
-        must(reverse == 1 || (is_on_frame(w, w->mesh.xyz + 3 * (size_t)a) && is_on_frame(w, w->mesh.xyz + 3 * (size_t)b)),
+    size_t n = 3 * w->mesh.n_triangles;
+    uint64_t *edge = calloc(n, sizeof *edge);
+    must(edge != NULL, "no memory");
+    for (size_t k = 0; k < n; k++)
+        edge[k] = (uint64_t)w->mesh.tri[k] << 32 | w->mesh.tri[k % 3 == 2 ? k - 2 : k + 1];
+    qsort(edge, n, sizeof *edge, by_number);
+    for (size_t k = 0; k < n; k++) {
+        uint64_t a = edge[k] >> 32, b = edge[k] & UINT32_MAX, reverse = b << 32 | a;
+        must(k == 0 || edge[k] != edge[k - 1], "an edge is there several times");
+        must(bsearch(&reverse, edge, n, sizeof *edge, by_number) ||
+                 (is_on_frame(w, w->mesh.xyz + 3 * (size_t)a) && is_on_frame(w, w->mesh.xyz + 3 * (size_t)b)),
              "the surface ends inside the frame");
     }
+    free(edge);
 }
 
 /* Outlines that touch themselves give surfaces that do, and no solids. */
@@ -408,11 +416,12 @@ static bool is_map_edge(const il_ring *r, size_t v)
     return (r->open && v + 1 == r->n) || (r->mark && r->mark[v] & IL_VERTEX_MAP_EDGE);
 }
 
-/* Outside of the outline, or of what is left of it; or where rounding folds the frame, which is told. */
+/* Outside of the outline, or of what is left of it; where rounding folds the frame or puts what
+ * lies on a slanted one outside of it, which is told. */
 static bool may_be_missing(const world *w, const double *at)
 {
     return (w->options.frame.kind == IL_FRAME_OUTLINE && (!is_inside(w, at) || is_told(w, "a part of the frame"))) ||
-           (w->options.placement.round_float && is_told(w, "outside the frame"));
+           ((w->options.placement.round_float || w->options.frame.kind == IL_FRAME_HULL) && is_told(w, "outside the frame"));
 }
 
 static void check_lines(const world *w)

@@ -50,6 +50,17 @@ bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner, 
     return true;
 }
 
+double il_chart_distance(const il_chart *c, uint32_t a, uint32_t b)
+{
+    const double *p = c->xy + 2 * (size_t)a, *q = c->xy + 2 * (size_t)b;
+    return hypot(q[0] - p[0], q[1] - p[1]);
+}
+
+double il_chart_length(const il_chart *c, size_t e)
+{
+    return il_chart_distance(c, c->edge[2 * e], c->edge[2 * e + 1]);
+}
+
 void il_chart_drop_points(il_chart *c)
 {
     size_t n = 0;
@@ -69,7 +80,7 @@ bool il_chart_unfold_frame(il_chart *c)
     il_keymap once = IL_KEYMAP_INIT;
     bool ok = true;
     for (size_t e = 0; e < c->n_edges && ok; e++) {
-        if (c->owner[e] != IL_CHART_NONE)
+        if (!il_chart_is_frame(c, e))
             continue;
         uint32_t *at = il_keymap_put(&once, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
         ok = at != NULL;
@@ -184,18 +195,13 @@ static bool add_feet(drawing *d)
     return true;
 }
 
-static double distance(const double *a, const double *b)
-{
-    return hypot(b[0] - a[0], b[1] - a[1]);
-}
-
 /* From node A to node B, in pieces no longer than LONGEST; between two ends of one level
  * there is a point at least, or the edge would be flat. */
 static bool add_side(drawing *d, uint32_t a, uint32_t b, double longest)
 {
     il_chart *c = d->c;
     const double p[2] = { c->xy[2 * a], c->xy[2 * a + 1] }, q[2] = { c->xy[2 * b], c->xy[2 * b + 1] };
-    double pieces = fmin(ceil(distance(p, q) / longest), FRAME_PIECES);
+    double pieces = fmin(ceil(il_chart_distance(c, a, b) / longest), FRAME_PIECES);
     bool flat = c->node[a].level >= 0 && c->node[a].level == c->node[b].level;
     size_t n = (size_t)fmax(pieces, flat ? 2 : 1);
     for (size_t k = 1; k <= n; k++) {

@@ -12,8 +12,8 @@
 /* A point of the plane.  z: its height on the map, NAN while nothing gives it one (corners of
  * the frame, points put into faces).  level, top: index of the lowest and the highest level that
  * it lies on, which differ where lines run together; -1 on none; z is that of the lowest.
- * slice, ring, vertex: of the input, -1 for points that were put in.  is_frame: on it.  is_spot: z is that of
- * a spot height. */
+ * slice, ring, vertex: of the input, -1 for points that were put in.  is_frame: on it.
+ * is_spot: z is that of a spot height. */
 typedef struct il_chart_node {
     double z;
     int32_t level, top, slice, ring, vertex;
@@ -28,8 +28,8 @@ typedef struct il_chart_line {
 
 /* xy[2*n_nodes], in the coordinates of the mesh (terrain/placement.h), distinct.
  * edge[2*n_edges]: nodes, along the lines; owner[e]: the line that it belongs to, n_lines and
- * more for interpolated ones, IL_CHART_NONE for the frame; height[e]: its level, -1 for the frame.  Edges of the frame have the map
- * on their left.
+ * more for interpolated ones, IL_CHART_NONE for the frame; height[e]: its level, -1 for the
+ * frame.  Edges of the frame have the map on their left.
  * at: position -> node.  level_z[n_levels]: rising. */
 typedef struct il_chart {
     double *xy;              size_t cap_xy;
@@ -48,8 +48,19 @@ void il_chart_free(il_chart *c); /* safe twice */
  * without memory. */
 uint32_t il_chart_node_at(il_chart *c, double x, double y);
 
-/* Append an edge of OWNER, on level LEVEL or -1 of the frame; false without memory.  One from a node to itself is none. */
+/* Append an edge of OWNER, on level LEVEL or -1 of the frame; false without memory.  One from
+ * a node to itself is none. */
 bool il_chart_add_edge(il_chart *c, uint32_t from, uint32_t to, uint32_t owner, int32_t level);
+
+/* Is edge E one of the frame? */
+static inline bool il_chart_is_frame(const il_chart *c, size_t e)
+{
+    return c->owner[e] == IL_CHART_NONE;
+}
+
+/* Distances of nodes A and B, and of the ends of edge E, in the plane of the mesh. */
+double il_chart_distance(const il_chart *c, uint32_t a, uint32_t b);
+double il_chart_length(const il_chart *c, size_t e);
 
 /* Drop edges of the frame that are there twice, for it leads in and out at once there: rounding
  * may fold it.  False without memory. */

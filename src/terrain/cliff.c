@@ -2,8 +2,6 @@
 #include "terrain/cliff.h"
 #include "base/alloc.h"
 
-#include <math.h>
-
 int32_t il_cliff_level(const il_chart_node *n, il_band band)
 {
     if (n->top <= band.low)

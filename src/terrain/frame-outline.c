@@ -4,7 +4,6 @@
 #include "terrain/frame-curves.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Of the outline's size, how far its chords may be off. */
 static const double chord_share = 1e-6;

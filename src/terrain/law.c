@@ -13,8 +13,7 @@ static void measure(const il_tin *t, const il_chart *c, double *area, double *le
         if (t->face[k] != IL_CHART_NONE)
             area[t->face[k]] += il_tin_area2(t, c, k);
     for (size_t e = 0; e < c->n_edges; e++) {
-        const uint32_t *v = c->edge + 2 * e;
-        double d = c->owner[e] == IL_CHART_NONE ? 0 : hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
+        double d = il_chart_is_frame(c, e) ? 0 : il_chart_length(c, e);
         for (int s = 0; s < 2; s++)
             if (t->side[2 * e + (size_t)s] != IL_CHART_NONE)
                 length[t->side[2 * e + (size_t)s]] += d;
@@ -35,7 +34,7 @@ static void find_caps(const il_tin *t, const il_chart *c, const il_band *band, u
 {
     for (size_t k = 0; k < 2 * t->n_sides; k++) {
         uint32_t f = t->side[k];
-        if (f != IL_CHART_NONE && c->owner[k / 2] != IL_CHART_NONE)
+        if (f != IL_CHART_NONE && !il_chart_is_frame(c, k / 2))
             sides[f] |= il_law_is_above(t, c, band, k) ? 1 : 2;
     }
 }
@@ -57,10 +56,9 @@ static bool find_widths(il_law *l, const il_tin *t)
             l->width[f] = sides[f] == 3 && length[f] > 0 ? area[f] / length[f] : 0;
         for (size_t k = 0; k < 2 * t->n_sides; k++) {
             uint32_t f = t->side[k], g = t->side[k ^ 1];
-            const uint32_t *v = c->edge + k / 2 * 2;
-            if (f == IL_CHART_NONE || g == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE || sides[f] == 3 || sides[g] != 3)
+            if (f == IL_CHART_NONE || g == IL_CHART_NONE || il_chart_is_frame(c, k / 2) || sides[f] == 3 || sides[g] != 3)
                 continue;
-            double d = hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
+            double d = il_chart_length(c, k / 2);
             l->width[f] += d * l->width[g];
             weight[f] += d;
         }
@@ -185,7 +183,7 @@ static il_status build_borders(il_law *l, const il_tin *t, il_error *err)
     for (size_t k = 0; k < 2 * t->n_sides; k++) {
         uint32_t f = t->side[k];
         const uint32_t *v = c->edge + k / 2 * 2;
-        if (f == IL_CHART_NONE || c->owner[k / 2] == IL_CHART_NONE)
+        if (f == IL_CHART_NONE || il_chart_is_frame(c, k / 2))
             continue;
         size_t upper = !il_law_is_above(t, c, l->band, k);
         s[n++] = (il_segment){ c->xy[2 * v[0]], c->xy[2 * v[0] + 1], c->xy[2 * v[1]], c->xy[2 * v[1] + 1], 2 * (size_t)f + upper, k / 2 };

@@ -10,8 +10,8 @@
  * want of a better, of their hull) is taken for the map's edge where it has a corner on such a
  * line, or another line ends or runs on the same side: else a hill whose lowest line has an
  * edge that happens to be its southernmost would lose it.  Rings that lie on the frame as a
- * whole stay.  *N: how many edges were marked; none where there are no lines.  O(n log n).  IL_E_INPUT as of il_frame_make,
- * IL_E_NOMEM. */
+ * whole stay.  *N: how many edges were marked; none where there are no lines.  O(n log n).
+ * IL_E_INPUT as of il_frame_make, IL_E_NOMEM. */
 il_status il_map_edge_mark(il_slice *level, size_t n_levels, const il_frame_options *o, const il_stack_head *head,
                            size_t *n, il_error *err);
 

@@ -192,7 +192,7 @@ static bool divide_frame(drawing *d)
 {
     for (size_t k = 0; k < 3 * d->t->n; k++) {
         uint32_t e = d->t->edge[k];
-        if (e != IL_CHART_NONE && d->c->owner[e] == IL_CHART_NONE && lacks_lines(d, k / 3) && !divide(d, k, e))
+        if (e != IL_CHART_NONE && il_chart_is_frame(d->c, e) && lacks_lines(d, k / 3) && !divide(d, k, e))
             return false;
     }
     return true;

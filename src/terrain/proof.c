@@ -5,7 +5,6 @@
 #include "bridge/predicates.h"
 
 #include <math.h>
-#include <string.h>
 
 typedef struct proof {
     const il_skin *s;
@@ -123,7 +122,7 @@ static size_t count_rim(const proof *p)
     size_t n = 0;
     for (size_t e = 0; e < p->c->n_edges; e++) {
         bool left = p->t->side[2 * e] != IL_CHART_NONE, right = p->t->side[2 * e + 1] != IL_CHART_NONE;
-        n += p->c->owner[e] == IL_CHART_NONE && left != right;
+        n += il_chart_is_frame(p->c, e) && left != right;
     }
     return n;
 }

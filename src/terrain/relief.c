@@ -7,7 +7,6 @@
 #include "terrain/map-edge.h"
 
 #include <math.h>
-#include <string.h>
 
 /* slice[n]: the levels of the terrain at hand; the head's placement is chosen on the way. */
 typedef struct relief {
@@ -24,6 +23,8 @@ typedef struct relief {
 
 /* ---- handing on --------------------------------------------------------------------- */
 
+/* Six times the volume of the tetrahedron from the first vertex, so that coordinates far from
+ * the origin cost no digits, to triangle T; *AREA grows by the triangle's. */
 static double corner6(const il_skin *s, size_t t, double *area)
 {
     const double *p = s->xyz + 3 * (size_t)s->tri[3 * t], *q = s->xyz + 3 * (size_t)s->tri[3 * t + 1];

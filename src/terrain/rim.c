@@ -4,11 +4,6 @@
 
 #include <math.h>
 
-static double distance(const il_chart *c, uint32_t a, uint32_t b)
-{
-    return hypot(c->xy[2 * (size_t)b] - c->xy[2 * (size_t)a], c->xy[2 * (size_t)b + 1] - c->xy[2 * (size_t)a + 1]);
-}
-
 /* next[node]: the one after it on the frame, IL_CHART_NONE off it and where the frame touches
  * itself: a way through such a node could go round without an end. */
 static bool find_next(const il_chart *c, uint32_t *next)
@@ -18,7 +13,7 @@ static bool find_next(const il_chart *c, uint32_t *next)
         next[v] = IL_CHART_NONE;
     for (size_t k = 0; edges && next && k < 2 * c->n_edges; k++) {
         uint32_t v = c->edge[k];
-        if (c->owner[k / 2] != IL_CHART_NONE)
+        if (!il_chart_is_frame(c, k / 2))
             continue;
         edges[v] = edges[v] < 3 ? (unsigned char)(edges[v] + 1) : 3;
         if (k % 2 == 0)
@@ -38,12 +33,12 @@ static void raise_from(il_chart *c, const uint32_t *next, uint32_t a)
     do {
         before = b;
         b = next[b];
-        length += b == IL_CHART_NONE ? 0 : distance(c, before, b);
+        length += b == IL_CHART_NONE ? 0 : il_chart_distance(c, before, b);
     } while (b != IL_CHART_NONE && b != a && isnan(c->node[b].z));
     if (b == IL_CHART_NONE || c->node[a].z == c->node[b].z)
         return;
     for (uint32_t v = a; next[v] != b; v = next[v]) {
-        at += distance(c, v, next[v]);
+        at += il_chart_distance(c, v, next[v]);
         c->node[next[v]].z = c->node[a].z + at / length * (c->node[b].z - c->node[a].z);
     }
 }

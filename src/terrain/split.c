@@ -3,7 +3,6 @@
 #include "base/alloc.h"
 #include "bridge/predicates.h"
 
-#include <math.h>
 #include <string.h>
 
 enum { PARTS_MOST = 4 };
@@ -23,11 +22,6 @@ static void add(parts *p, const uint32_t corner[3], const unsigned char edge[3])
     p->n++;
 }
 
-static double distance(const il_chart *c, uint32_t a, uint32_t b)
-{
-    return hypot(c->xy[2 * (size_t)b] - c->xy[2 * (size_t)a], c->xy[2 * (size_t)b + 1] - c->xy[2 * (size_t)a + 1]);
-}
-
 /* Edge K alone has a middle: from it to the corner opposite. */
 static void halve(parts *p, const uint32_t v[3], const uint32_t m[3], unsigned k)
 {
@@ -41,7 +35,7 @@ static void cut_corner(parts *p, const il_chart *c, const uint32_t v[3], const u
 {
     unsigned next = (k + 1) % 3, last = (k + 2) % 3;
     add(p, (uint32_t[3]){ m[next], v[last], m[last] }, (unsigned char[3]){ 3, 3, 3 });
-    if (distance(c, v[k], m[next]) < distance(c, v[next], m[last])) {
+    if (il_chart_distance(c, v[k], m[next]) < il_chart_distance(c, v[next], m[last])) {
         add(p, (uint32_t[3]){ v[k], v[next], m[next] }, (unsigned char[3]){ (unsigned char)k, 3, 3 });
         add(p, (uint32_t[3]){ v[k], m[next], m[last] }, (unsigned char[3]){ 3, 3, 3 });
     } else {

@@ -3,9 +3,6 @@
 #include "base/alloc.h"
 #include "bridge/triangulation.h"
 
-#include <math.h>
-#include <string.h>
-
 void il_tin_free(il_tin *t)
 {
     il_free(t->corner);
@@ -51,18 +48,13 @@ static bool find_incidence(incidence *i, const il_chart *c)
     return true;
 }
 
-static bool is_frame(const il_chart *c, uint32_t e)
-{
-    return c->owner[e] == IL_CHART_NONE;
-}
-
 /* Where a line runs along the frame, the frame's. */
 static uint32_t find_edge(const incidence *i, const il_chart *c, uint32_t a, uint32_t b)
 {
     uint32_t low = a < b ? a : b, high = a < b ? b : a, found = IL_CHART_NONE;
     for (uint32_t k = i->first[low]; k < i->first[low + 1]; k++) {
         uint32_t e = i->of[k];
-        if ((c->edge[2 * e] == high || c->edge[2 * e + 1] == high) && (found == IL_CHART_NONE || is_frame(c, e)))
+        if ((c->edge[2 * e] == high || c->edge[2 * e + 1] == high) && (found == IL_CHART_NONE || il_chart_is_frame(c, e)))
             found = e;
     }
     return found;
@@ -195,13 +187,13 @@ static void spread(inside *s, const il_tin *t, uint32_t seed, uint32_t *stack)
             if (g == IL_CHART_NONE || s->known[g])
                 continue;
             s->known[g] = 1;
-            s->is_in[g] = is_frame(s->c, e) ? !s->is_in[f] : s->is_in[f];
+            s->is_in[g] = il_chart_is_frame(s->c, e) ? !s->is_in[f] : s->is_in[f];
             stack[n++] = g;
         }
     }
 }
 
-static bool list_edges(inside *s, const il_tin *t)
+static void list_edges(inside *s, const il_tin *t)
 {
     for (int pass = 0; pass < 2; pass++) {
         for (size_t k = 0; k < 2 * t->n_sides; k++) {
@@ -216,7 +208,6 @@ static bool list_edges(inside *s, const il_tin *t)
         for (size_t f = 2; pass == 0 && f < t->n_faces + 2; f++)
             s->first[f] += s->first[f - 1];
     }
-    return true;
 }
 
 /* From the hull inwards. */
@@ -226,7 +217,7 @@ static void find_inside(inside *s, const il_tin *t, uint32_t *stack)
         uint32_t f = t->face[k / 3];
         if (t->across[k] != IL_CHART_NONE || s->known[f])
             continue;
-        s->is_in[f] = t->edge[k] != IL_CHART_NONE && is_frame(s->c, t->edge[k]);
+        s->is_in[f] = t->edge[k] != IL_CHART_NONE && il_chart_is_frame(s->c, t->edge[k]);
         spread(s, t, f, stack);
     }
 }
@@ -236,8 +227,9 @@ static il_status drop_outside(il_tin *t, const il_chart *c, il_error *err)
     inside s = { c, il_calloc(t->n_faces, 1), il_calloc(t->n_faces, 1), il_calloc(t->n_faces + 2, sizeof *s.first),
                  il_alloc(2 * t->n_sides, sizeof *s.of) };
     uint32_t *stack = il_alloc(t->n_faces, sizeof *stack), *number = il_alloc(t->n_faces, sizeof *number), n = 0;
-    bool ok = s.known && s.is_in && s.first && s.of && stack && number && list_edges(&s, t);
+    bool ok = s.known && s.is_in && s.first && s.of && stack && number;
     if (ok) {
+        list_edges(&s, t);
         find_inside(&s, t, stack);
         for (size_t f = 0; f < t->n_faces; f++)
             number[f] = s.is_in[f] ? n++ : OUTSIDE;
@@ -260,7 +252,7 @@ static il_status drop_outside(il_tin *t, const il_chart *c, il_error *err)
 
 static bool lies_nowhere(const il_tin *t, const il_chart *c, size_t e)
 {
-    return !is_frame(c, (uint32_t)e) && t->side[2 * e] == IL_CHART_NONE && t->side[2 * e + 1] == IL_CHART_NONE;
+    return !il_chart_is_frame(c, e) && t->side[2 * e] == IL_CHART_NONE && t->side[2 * e + 1] == IL_CHART_NONE;
 }
 
 /* Edges of lines that run along the frame have its sides. */
@@ -271,7 +263,7 @@ static bool share_sides(il_tin *t, const il_chart *c)
     for (size_t e = 0; e < c->n_edges; e++)
         any = any || lies_nowhere(t, c, e);
     for (size_t e = 0; any && ok && e < c->n_edges; e++)
-        ok = !is_frame(c, (uint32_t)e) || il_keymap_put(&frame, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
+        ok = !il_chart_is_frame(c, e) || il_keymap_put(&frame, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
     for (size_t e = 0; any && ok && e < c->n_edges; e++) {
         uint32_t f = IL_CHART_NONE;
         if (lies_nowhere(t, c, e))
@@ -352,9 +344,9 @@ il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border,
     for (size_t e = 0; e < c->n_edges; e++) {
         const uint32_t *side = t->side + 2 * e, *v = c->edge + 2 * e;
         /* one face on both sides, or none: a spike, or outside */
-        if (is_frame(c, (uint32_t)e) || t->cliff[2 * e] >= 0 || side[0] == side[1])
+        if (il_chart_is_frame(c, e) || t->cliff[2 * e] >= 0 || side[0] == side[1])
             continue;
-        double length = hypot(c->xy[2 * v[1]] - c->xy[2 * v[0]], c->xy[2 * v[1] + 1] - c->xy[2 * v[0] + 1]);
+        double length = il_chart_length(c, e);
         if (*n > 0 && is_same_stretch(&(*border)[*n - 1], side, c->owner[e], t->n_faces)) {
             (*border)[*n - 1].length += length;
             continue;

@@ -452,7 +452,8 @@ static void a_missing_line_at_the_foot_is_drawn_there(void **state)
         add_square(&outline, 30, 45);
         copy_slices(s.given, s.drawn, 4);
         box_of(s.given, 4, s.box);
-        make(&s, &(il_relief_options){ .frame = { IL_FRAME_OUTLINE, &outline, false }, .placement = IL_PLACEMENT_OPTIONS_INIT });
+        make(&s, &(il_relief_options){ .frame = { .kind = IL_FRAME_OUTLINE, .outline = &outline },
+                                       .placement = IL_PLACEMENT_OPTIONS_INIT });
         assert_int_equal(s.report.n_skipped, 0);
         assert_int_equal(s.report.repair[IL_REPAIR_MISSING_LINE], 1);
         assert_has_lines(&s.c.mesh, s.drawn, 4);
@@ -512,7 +513,7 @@ static void surfaces_fill_the_frame_that_is_given(void **state)
         il_ring *r = il_slice_add_ring(&outline);
         assert_true(r && il_ring_add(r, s.box[0], s.box[1], 0) && il_ring_add(r, s.box[2], s.box[1], 0) &&
                     il_ring_add(r, s.box[2], s.box[3], 0) && il_ring_add(r, s.box[0], s.box[3], 0));
-        il_relief_options o = { .frame = { IL_FRAME_OUTLINE, &outline, false }, .placement = IL_PLACEMENT_OPTIONS_INIT };
+        il_relief_options o = { .frame = { .kind = IL_FRAME_OUTLINE, .outline = &outline }, .placement = IL_PLACEMENT_OPTIONS_INIT };
         make(&s, &o);
         assert_nothing_wrong(&s.report);
         assert_half_edges(&s.c.mesh, s.box);

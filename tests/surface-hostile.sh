@@ -73,6 +73,11 @@ ends 2 "a floor beyond numbers" "$ISOLOFT" hill.loft --solid --base -1e15 -o box
 
 printf 'level 0\nline\n0 0\n0 9\nlevel 10\nline\n0 1\n0 5\n' | terrain >flat.loft
 ends 3 "a map without a width" "$ISOLOFT" flat.loft -o box.ply
+for width in 1e-9 3e-8; do
+    awk -v w=$width 'BEGIN { printf "level 0\nring\n0.1 0.1\n3.3 3.3\n7.7 %.17g\n1.3 %.17g\n", 7.7 + w, 1.3 + w
+        printf "level 5\nring\n0.3 %.17g\n3 3\n2 %.17g\n", 0.3 + w / 9, 2 + w / 20 }' | terrain >thin.loft
+    ends 3 "or with one of $width, in 32-bit floats" "$ISOLOFT" thin.loft --frame hull -o box.stl
+done
 printf 'level 0\nline\n0 0\n9 0\nlevel 10\nline\n9 0\n9 9\nlevel 20\nline\n9 9\n0 9\nlevel 30\nline\n0 9\n0 0\n' | terrain >edge.loft
 ends 3 "lines that all lie on the edge of the map" "$ISOLOFT" edge.loft -o box.ply
 printf 'level 0\nline\n0 0\n9 9\nlevel 10\nline\n0 9\n9 0\nlevel 20\nline\n0 4\n9 4\n' | terrain >cross.loft

@@ -114,7 +114,7 @@ static result read_bytes(const char *const *data, const size_t *size, size_t n, 
 {
     static const char *const names[] = { "a.svg", "b.svg", "c.svg", "d.svg" };
     result r = { new_recorder(), IL_REPORT_INIT, IL_ERROR_INIT, IL_OK };
-    il_source *source[4];
+    il_source *source[4] = { NULL };
     for (size_t i = 0; i < n; i++)
         assert_int_equal(il_source_from_memory(&source[i], data[i], size[i], names[i], &r.err), IL_OK);
     r.status = il_reader_svg.read(source, n, o, &r.rec.sink, &r.report, &r.err);

@@ -64,6 +64,11 @@ static double largest(const double box[4])
     return fmax(fmax(fabs(box[0]), fabs(box[1])), fmax(fabs(box[2]), fabs(box[3])));
 }
 
+static double longer_side(const double box[4])
+{
+    return fmax(box[2] - box[0], box[3] - box[1]);
+}
+
 /* What the sides have in common: their box, and what counts as nothing. */
 static void measure(il_frame_sides *s)
 {
@@ -71,8 +76,7 @@ static void measure(il_frame_sides *s)
     s->box[2] = s->box[3] = -INFINITY;
     for (size_t k = 0; k < s->n; k++)
         extend(s->box, s->side[k].a, 1);
-    double size = fmax(s->box[2] - s->box[0], s->box[3] - s->box[1]);
-    s->rounding = fmax(rounding_share * size, 4 * 0x1p-52 * largest(s->box));
+    s->rounding = fmax(rounding_share * longer_side(s->box), 4 * 0x1p-52 * largest(s->box));
     s->slack += s->rounding;
 }
 
@@ -101,7 +105,8 @@ static double area2(const il_frame_sides *s)
 
 static il_status check(const il_frame_sides *s, const il_frame_options *o, const double lines[4], il_error *err)
 {
-    bool encloses = s->n > 2 && area2(s) > 0;
+    /* what is nowhere wider than rounding is a line */
+    bool encloses = s->n > 2 && area2(s) > 2 * s->rounding * longer_side(s->box);
     if (o->kind != IL_FRAME_OUTLINE)
         return encloses ? IL_OK : il_fail(err, IL_E_INPUT, 0, "the lines of the map enclose nothing: they lie on one straight line");
     if (!encloses)

@@ -255,6 +255,9 @@ static il_status require_ground(const il_ground *g, il_error *err)
             return IL_OK;
     for (size_t l = 0; l < g->n_lines; l++)
         n_out += g->line[l].left_out;
+    if (g->tin.n == 0)
+        return il_fail(err, IL_E_INPUT, g->head->line, "the map has no extent left%s", g->options->placement.round_float
+                       ? " in 32-bit floats: it is narrow, or far from the origin (--recentre)" : " when put to its size");
     if (n_out == g->n_lines)
         return il_fail(err, IL_E_INPUT, g->head->line, "no isoline tells the height of the ground: all had to be left out, "
                        "as they end inside the map or contradict one another");

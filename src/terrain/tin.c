@@ -314,7 +314,7 @@ il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *er
     st = find_edges(t, c, &found, err);
     if (st == IL_OK)
         st = count_edges(c, &wanted, err);
-    *crosses = st == IL_OK && found != wanted;
+    *crosses = st == IL_OK && found != wanted && t->n > 0; /* no triangles: all nodes lie on one straight line */
     if (*crosses)
         il_tin_free(t);
     if (st != IL_OK || *crosses)

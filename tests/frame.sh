@@ -83,6 +83,10 @@ refused() { # CODE SENTENCE WORDS FILE [ARGUMENT]...
     if one_error && grep -q -e "$words" err && [ ! -e none.ply ]; then case_ok "and said"; else case_bad "and said" "$(cat err)"; fi
 }
 refused 3 "an outline beside the map is refused" "beside the map" outline.csv
+square 20.5 80.5 >degrees.geojson
+sed 's/^\([0-9][0-9.]*\) /500\1 /' cone.loft >metres.loft
+exits 3 "and if it could be in degrees" "$ISOLOFT" --unit m metres.loft --frame degrees.geojson -o none.ply
+holds "that is said" grep -q "beside the map; if its numbers are degrees, ogr2ogr -t_srs" err
 refused 3 "so is one in degrees where the map is in metres" "in degrees and the map in m" outline.kml
 printf '{"type":"LineString","coordinates":[[0,0],[9,0],[9,9]]}' >open.geojson
 exits 3 "so is an open line" "$ISOLOFT" --unit m cone.loft --frame open.geojson -o none.ply

@@ -257,4 +257,7 @@ cliff "lines cross" "$sea" "$hill" '30: 40 40, 60 40, 90 60, 40 60'
 holds "one of which is left out, and both are named" sh -c '"$ISOLOFT" cliff.loft -o x.ply 2>&1 |
     grep -q "the isoline of 30 m (line 18): both of its sides lie below it, against the isoline of 20 m (line 12)"'
 
+exits 0 "what is for slices" "$ISOLOFT" cone.loft -o x.ply --cap dome
+holds "does nothing to terrain, which is told" grep -q -e "--cap is for slices of solids, and terrain has none" err
+
 plan

@@ -384,25 +384,38 @@ static il_status run(pipeline *p, il_error *err)
     return st == IL_OK ? commit(p, err) : st;
 }
 
-/* What is meant for maps and does nothing to solids, and the other way round. */
-static const char *note_on_solids(const il_options *o)
+typedef struct option_note { const char *option, *note; } option_note;
+
+/* The note on the first of c[n] that was given; null for none. */
+static const char *find_note(const il_options *o, const option_note *c, size_t n)
 {
-    static const struct { const char *option, *note; } c[] = {
-        { "frame", "--frame is for terrain, which this is not" },
-        { "solid", "--solid is for terrain, which this is not" }, { "z-scale", "--z-scale is for terrain, which this is not" },
-        { "fit", "--fit is for terrain, which this is not" }, { "recentre", "--recentre is for terrain, which this is not" },
-        { "high", "--high is for terrain, which this is not" } };
-    for (size_t k = 0; k < sizeof c / sizeof *c; k++)
+    for (size_t k = 0; k < n; k++)
         if (il_options_given(o, c[k].option))
             return c[k].note;
     return NULL;
 }
 
+/* What is meant for maps and does nothing to solids, and the other way round. */
+static const char *note_on_solids(const il_options *o)
+{
+    static const option_note c[] = {
+        { "frame", "--frame is for terrain, which this is not" },
+        { "solid", "--solid is for terrain, which this is not" }, { "z-scale", "--z-scale is for terrain, which this is not" },
+        { "fit", "--fit is for terrain, which this is not" }, { "recentre", "--recentre is for terrain, which this is not" },
+        { "high", "--high is for terrain, which this is not" } };
+    return find_note(o, c, sizeof c / sizeof *c);
+}
+
 static const char *note_on_terrain(const il_options *o)
 {
+    static const option_note c[] = {
+        { "pairs", "terrain has no pairs: --pairs holds its lines alone" },
+        { "cap", "--cap is for slices of solids, and terrain has none" }, { "gap", "--gap is for slices of solids, and terrain has none" },
+        { "thickness", "--thickness is for slices of solids, and terrain has none" },
+        { "matcher", "--matcher is for slices of solids, and terrain has none" } };
     if (o->verb == IL_VERB_MATCH)
         return "terrain has no pairs to match, and is passed on as it is";
-    return o->pairs ? "terrain has no pairs: --pairs holds its lines alone" : NULL;
+    return find_note(o, c, sizeof c / sizeof *c);
 }
 
 il_status il_pipeline_run(il_result *result, const il_options *o, const il_plan *plan, il_voice *voice, il_error *err)

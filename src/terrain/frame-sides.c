@@ -103,6 +103,15 @@ static double area2(const il_frame_sides *s)
     return sum;
 }
 
+/* An outline beside the map is often one in degrees that does not say so. */
+static il_status refuse_beside(const il_frame_sides *s, const il_frame_options *o, il_error *err)
+{
+    const double *b = s->box;
+    bool could_be_degrees = o->may_be_degrees && !s->took_degrees && b[0] >= -360 && b[2] <= 360 && b[1] >= -90 && b[3] <= 90;
+    return il_fail(err, IL_E_INPUT, 0, "the outline lies beside the map%s",
+                   could_be_degrees ? "; if its numbers are degrees, ogr2ogr -t_srs brings it into the system of the map" : "");
+}
+
 static il_status check(const il_frame_sides *s, const il_frame_options *o, const double lines[4], il_error *err)
 {
     /* what is nowhere wider than rounding is a line */
@@ -112,7 +121,7 @@ static il_status check(const il_frame_sides *s, const il_frame_options *o, const
     if (!encloses)
         return il_fail(err, IL_E_INPUT, 0, "the outline encloses nothing");
     if (lines[0] > s->box[2] || lines[2] < s->box[0] || lines[1] > s->box[3] || lines[3] < s->box[1])
-        return il_fail(err, IL_E_INPUT, 0, "the outline lies beside the map");
+        return refuse_beside(s, o, err);
     return IL_OK;
 }
 

@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "bridge/predicates.h"
+#include "terrain/links.h"
 
 #include <math.h>
 
@@ -76,43 +77,13 @@ static il_status prove_walls(const proof *p)
 
 /* ---- half-edges ------------------------------------------------------------------ */
 
-/* Half-edges of triangles FROM to END, by their lesser vertex: of[first[v]] .. of[first[v + 1]]. */
-typedef struct halves {
-    uint32_t *first, *of;
-} halves;
-
-static uint32_t lesser(const il_skin *s, size_t k)
-{
-    uint32_t a = s->tri[k], b = s->tri[il_tin_after(k)];
-    return a < b ? a : b;
-}
-
-static bool list_halves(halves *h, const il_skin *s)
-{
-    size_t n = 3 * s->n_triangles;
-    h->first = il_calloc(s->n_vertices + 2, sizeof *h->first);
-    h->of = il_alloc(n, sizeof *h->of);
-    if (!h->first || !h->of)
-        return false;
-    for (size_t k = 0; k < n; k++)
-        h->first[lesser(s, k) + 2]++;
-    for (size_t v = 2; v < s->n_vertices + 2; v++)
-        h->first[v] += h->first[v - 1];
-    for (size_t k = 0; k < n; k++)
-        h->of[h->first[lesser(s, k) + 1]++] = (uint32_t)k;
-    return true;
-}
-
 /* How often the edge from A to B occurs, and its reverse. */
-static void count(const halves *h, const il_skin *s, uint32_t a, uint32_t b, size_t n[2])
+static void count(const il_links *l, uint32_t a, uint32_t b, size_t n[2])
 {
-    uint32_t low = a < b ? a : b;
+    il_links_range r = il_links_find(l, a, b);
     n[0] = n[1] = 0;
-    for (uint32_t i = h->first[low]; i < h->first[low + 1]; i++) {
-        size_t k = h->of[i];
-        n[0] += s->tri[k] == a && s->tri[il_tin_after(k)] == b;
-        n[1] += s->tri[k] == b && s->tri[il_tin_after(k)] == a;
-    }
+    for (uint32_t i = r.begin; i < r.end; i++)
+        n[il_links_from(l, l->of[i]) == a ? 0 : 1]++;
 }
 
 /* How many edges of the frame the open surface must end in: those of the chart with the map on
@@ -133,13 +104,13 @@ static bool is_rim(const proof *p, size_t k)
     return p->c->node[a].is_frame && p->c->node[b].is_frame;
 }
 
-static il_status prove_edges(const proof *p, const halves *h)
+static il_status prove_edges(const proof *p, const il_links *l)
 {
     const il_skin *s = p->s;
     size_t n_open = 0;
     for (size_t k = 0; k < 3 * s->n_triangles; k++) {
         size_t n[2];
-        count(h, s, s->tri[k], s->tri[il_tin_after(k)], n);
+        count(l, s->tri[k], s->tri[il_tin_after(k)], n);
         if (n[0] != 1 || n[1] > 1)
             return refute(p, s->tri[k], "an edge belongs to several triangles on one side");
         if (n[1] == 1)
@@ -184,15 +155,14 @@ il_status il_skin_prove(const il_skin *s, const il_tin *t, const il_chart *c, co
                         const il_placement_options *o, double floor, il_error *err)
 {
     proof p = { s, t, c, head, o, floor, err };
-    halves h = { NULL, NULL };
+    il_links l = IL_LINKS_INIT;
     il_status st = prove_plan(&p);
     if (st == IL_OK)
         st = prove_walls(&p);
-    if (st == IL_OK && !list_halves(&h, s))
+    if (st == IL_OK && !il_links_build(&l, s->tri, 3 * s->n_triangles, true, s->n_vertices))
         st = il_fail_nomem(err);
     if (st == IL_OK)
-        st = prove_edges(&p, &h);
-    il_free(h.first);
-    il_free(h.of);
+        st = prove_edges(&p, &l);
+    il_links_free(&l);
     return st == IL_OK ? prove_lines(&p) : st;
 }

@@ -2,6 +2,7 @@
 #include "terrain/split.h"
 #include "base/alloc.h"
 #include "bridge/predicates.h"
+#include "terrain/links.h"
 
 #include <string.h>
 
@@ -87,30 +88,19 @@ static size_t count_parts(const il_tin *t, const uint32_t *middle)
     return n;
 }
 
-/* Who is across, by matching half-edges through their lesser node. */
+/* Who is across. */
 static bool find_across(const uint32_t *corner, size_t n, size_t n_nodes, uint32_t *across)
 {
-    uint32_t *first = il_calloc(n_nodes + 2, sizeof *first), *of = il_alloc(3 * n, sizeof *of);
-    bool ok = first && of;
+    il_links l = IL_LINKS_INIT;
+    bool ok = il_links_build(&l, corner, 3 * n, true, n_nodes);
     for (size_t k = 0; ok && k < 3 * n; k++) {
-        uint32_t a = corner[k], b = corner[il_tin_after(k)];
-        first[(a < b ? a : b) + 2]++;
-    }
-    for (size_t v = 2; ok && v < n_nodes + 2; v++)
-        first[v] += first[v - 1];
-    for (size_t k = 0; ok && k < 3 * n; k++) {
-        uint32_t a = corner[k], b = corner[il_tin_after(k)];
-        of[first[(a < b ? a : b) + 1]++] = (uint32_t)k;
-    }
-    for (size_t k = 0; ok && k < 3 * n; k++) {
-        uint32_t a = corner[k], b = corner[il_tin_after(k)], low = a < b ? a : b;
+        il_links_range r = il_links_find(&l, corner[k], corner[il_tin_after(k)]);
         across[k] = IL_CHART_NONE;
-        for (uint32_t i = first[low]; i < first[low + 1]; i++)
-            if (corner[of[i]] == b && corner[il_tin_after(of[i])] == a)
-                across[k] = of[i] / 3;
+        for (uint32_t i = r.begin; i < r.end; i++)
+            if (corner[l.of[i]] != corner[k])
+                across[k] = l.of[i] / 3;
     }
-    il_free(first);
-    il_free(of);
+    il_links_free(&l);
     return ok;
 }
 

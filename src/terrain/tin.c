@@ -2,6 +2,7 @@
 #include "terrain/tin.h"
 #include "base/alloc.h"
 #include "bridge/triangulation.h"
+#include "terrain/links.h"
 
 void il_tin_free(il_tin *t)
 {
@@ -23,57 +24,31 @@ double il_tin_area2(const il_tin *t, const il_chart *c, size_t triangle)
 
 /* ---- the chart's edges found again ------------------------------------------- */
 
-/* The edges of each node, at the lesser of its two: of[first[v]] .. of[first[v + 1]]. */
-typedef struct incidence {
-    uint32_t *first, *of;
-} incidence;
-
-static uint32_t lesser(const il_chart *c, size_t e)
-{
-    return c->edge[2 * e] < c->edge[2 * e + 1] ? c->edge[2 * e] : c->edge[2 * e + 1];
-}
-
-static bool find_incidence(incidence *i, const il_chart *c)
-{
-    i->first = il_calloc(c->n_nodes + 2, sizeof *i->first);
-    i->of = il_alloc(c->n_edges, sizeof *i->of);
-    if (!i->first || !i->of)
-        return false;
-    for (size_t e = 0; e < c->n_edges; e++)
-        i->first[lesser(c, e) + 2]++;
-    for (size_t v = 2; v < c->n_nodes + 2; v++)
-        i->first[v] += i->first[v - 1];
-    for (size_t e = 0; e < c->n_edges; e++)
-        i->of[i->first[lesser(c, e) + 1]++] = (uint32_t)e;
-    return true;
-}
-
 /* Where a line runs along the frame, the frame's. */
-static uint32_t find_edge(const incidence *i, const il_chart *c, uint32_t a, uint32_t b)
+static uint32_t find_edge(const il_links *l, const il_chart *c, uint32_t a, uint32_t b)
 {
-    uint32_t low = a < b ? a : b, high = a < b ? b : a, found = IL_CHART_NONE;
-    for (uint32_t k = i->first[low]; k < i->first[low + 1]; k++) {
-        uint32_t e = i->of[k];
-        if ((c->edge[2 * e] == high || c->edge[2 * e + 1] == high) && (found == IL_CHART_NONE || il_chart_is_frame(c, e)))
-            found = e;
-    }
+    uint32_t found = IL_CHART_NONE;
+    il_links_range r = il_links_find(l, a, b);
+    for (uint32_t i = r.begin; i < r.end; i++)
+        if (found == IL_CHART_NONE || il_chart_is_frame(c, l->of[i]))
+            found = l->of[i];
     return found;
 }
 
 /* The levels of all edges between the nodes of edge E, when they do not part as one line does:
  * lines of several levels, or an even number of one, which parts nothing. */
-static void find_cliff(il_tin *t, const incidence *i, const il_chart *c, uint32_t e)
+static void find_cliff(il_tin *t, const il_links *l, const il_chart *c, uint32_t e)
 {
-    uint32_t a = c->edge[2 * e], b = c->edge[2 * e + 1], low = a < b ? a : b, high = a < b ? b : a;
     int32_t least = c->height[e], most = least;
     size_t n = 0;
-    for (uint32_t k = i->first[low]; k < i->first[low + 1]; k++) {
-        uint32_t f = i->of[k];
-        if (c->height[f] < 0 || (c->edge[2 * f] != high && c->edge[2 * f + 1] != high))
+    il_links_range r = il_links_find(l, c->edge[2 * e], c->edge[2 * e + 1]);
+    for (uint32_t i = r.begin; i < r.end; i++) {
+        int32_t level = c->height[l->of[i]];
+        if (level < 0)
             continue;
         n++;
-        least = c->height[f] < least ? c->height[f] : least;
-        most = c->height[f] > most ? c->height[f] : most;
+        least = level < least ? level : least;
+        most = level > most ? level : most;
     }
     if (least >= 0 && (least < most || n % 2 == 0) && t->cliff[2 * e] < 0) {
         t->cliff[2 * e] = least;
@@ -82,29 +57,28 @@ static void find_cliff(il_tin *t, const incidence *i, const il_chart *c, uint32_
     }
 }
 
-/* *FOUND: edges of the chart that are edges of triangles. */
-static il_status find_edges(il_tin *t, const il_chart *c, size_t *found, il_error *err)
+/* *ALL: whether every edge of the chart is one of triangles. */
+static il_status find_edges(il_tin *t, const il_chart *c, bool *all, il_error *err)
 {
-    incidence i = { NULL, NULL };
+    il_links l = IL_LINKS_INIT;
+    size_t found = 0;
     il_free(t->edge);
     il_free(t->cliff);
     t->edge = il_alloc(3 * t->n, sizeof *t->edge);
     t->cliff = il_alloc(2 * c->n_edges, sizeof *t->cliff);
-    bool ok = t->edge && t->cliff && find_incidence(&i, c);
+    bool ok = t->edge && t->cliff && il_links_build(&l, c->edge, c->n_edges, false, c->n_nodes);
     t->n_cliffs = 0;
     for (size_t e = 0; ok && e < 2 * c->n_edges; e++)
         t->cliff[e] = -1;
-    *found = 0;
     for (size_t k = 0; ok && k < 3 * t->n; k++) {
-        uint32_t a = t->corner[k], b = t->corner[il_tin_after(k)];
         uint32_t across = t->across[k];
-        t->edge[k] = find_edge(&i, c, a, b);
+        t->edge[k] = find_edge(&l, c, t->corner[k], t->corner[il_tin_after(k)]);
         if (t->edge[k] != IL_CHART_NONE)
-            find_cliff(t, &i, c, t->edge[k]);
-        *found += t->edge[k] != IL_CHART_NONE && (across == IL_CHART_NONE || across > k / 3);
+            find_cliff(t, &l, c, t->edge[k]);
+        found += t->edge[k] != IL_CHART_NONE && (across == IL_CHART_NONE || across > k / 3);
     }
-    il_free(i.first);
-    il_free(i.of);
+    *all = ok && found == il_links_count_pairs(&l, c->n_edges);
+    il_links_free(&l);
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
@@ -290,31 +264,14 @@ static il_status triangulate(il_tin *t, const il_chart *c, bool *crosses, il_err
     return st;
 }
 
-/* Edges of the chart, equal ones once. */
-static il_status count_edges(const il_chart *c, size_t *n, il_error *err)
-{
-    il_keymap seen = IL_KEYMAP_INIT;
-    bool ok = il_keymap_reserve(&seen, c->n_edges);
-    *n = 0;
-    for (size_t e = 0; ok && e < c->n_edges; e++) {
-        uint32_t *at = il_keymap_put(&seen, IL_KEYMAP_EDGE(c->edge[2 * e], c->edge[2 * e + 1]), (uint32_t)e);
-        ok = at != NULL;
-        *n += ok && *at == e;
-    }
-    il_keymap_free(&seen);
-    return ok ? IL_OK : il_fail_nomem(err);
-}
-
 il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *err)
 {
-    size_t found = 0, wanted = 0;
+    bool all = false;
     il_status st = triangulate(t, c, crosses, err);
     if (st != IL_OK || *crosses)
         return st;
-    st = find_edges(t, c, &found, err);
-    if (st == IL_OK)
-        st = count_edges(c, &wanted, err);
-    *crosses = st == IL_OK && found != wanted && t->n > 0; /* no triangles: all nodes lie on one straight line */
+    st = find_edges(t, c, &all, err);
+    *crosses = st == IL_OK && !all && t->n > 0; /* no triangles: all nodes lie on one straight line */
     if (*crosses)
         il_tin_free(t);
     if (st != IL_OK || *crosses)

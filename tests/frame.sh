@@ -71,8 +71,10 @@ END
 printf '%s\n' 'isoloft 1' 'unit m' 'stack "slope"' 'kind terrain' 'slice 10' line '0 20' '50 22' '100 20' \
     'slice 20' line '0 80' '50 82' '100 80' end >slope.loft
 exits 0 "or touch itself at a point that no line comes near" "$ISOLOFT" --unit m --frame touching.geojson slope.loft -o slope.ply
-exits 6 "where no solid can stand" "$ISOLOFT" --unit m --frame touching.geojson --solid slope.loft -o none.ply
-holds "which is told" grep -q "the frame touches itself" err
+exits 0 "where a solid is split" "$ISOLOFT" --unit m --frame touching.geojson --solid slope.loft -o touching.ply
+holds "and is sound" "$ISOLOFT" check touching.ply
+exits 0 "info tells of it" "$ISOLOFT" info --unit m --frame touching.geojson slope.loft
+holds "in words" grep -q "pinches  *1, where the frame touches itself" out
 
 # ---- what is none -----------------------------------------------------------------
 

@@ -159,6 +159,8 @@ void il_summary_surface_rows(const il_stack_account *s, il_output *out)
     else
         il_table_row(out, "components", "%ld, genus %ld", f->components, f->genus);
     placement_rows(s, out);
+    if (f->pinches > 0)
+        il_table_row(out, "pinches", "%zu, where the frame touches itself", f->pinches);
     il_table_row(out, "mesh area", "%.6g %s^2", f->area, unit);
     if (!f->is_open)
         il_table_row(out, "volume", "%.6g %s^3", f->volume, unit);

@@ -60,6 +60,7 @@ static il_status gather_facts(const il_ground *g, il_mesh_facts *f, il_error *er
     f->faces = g->tin.n_faces;
     f->slices = g->n_slices;
     f->rings = g->n_lines;
+    f->pinches = s->n_pinches;
     for (size_t k = 0; k < g->n_slices; k++)
         f->points += il_slice_points(&g->slice[k]);
     if (!f->is_open) {

@@ -40,8 +40,38 @@ static bool add_triangle(il_skin *s, uint32_t a, uint32_t b, uint32_t c, int32_t
     return true;
 }
 
-/* first[node]: its lowest vertex, those of higher levels following it; IL_CHART_NONE where the
- * node is outside. */
+/* ---- fans ------------------------------------------------------------------------ */
+
+/* Is edge K of triangles one of the surface's, with nothing beyond? */
+static bool is_rim(const il_tin *t, size_t k)
+{
+    return t->face[k / 3] != IL_CHART_NONE && (t->across[k] == IL_CHART_NONE || t->face[t->across[k]] == IL_CHART_NONE);
+}
+
+/* The next corner around the same node, counter-clockwise, from the one at edge K's beginning;
+ * SIZE_MAX beyond the surface. */
+static size_t next_around(const il_tin *t, size_t k)
+{
+    size_t before = il_tin_after(il_tin_after(k));
+    uint32_t triangle = t->across[before];
+    return triangle == IL_CHART_NONE || t->face[triangle] == IL_CHART_NONE ? SIZE_MAX : il_tin_twin(t, before);
+}
+
+/* Where the frame touches itself, the triangles around a node are several fans, each of which
+ * has vertices of its own.  fan[3*t->n]: which, from 0; count[node]: how many begin at the rim. */
+static void find_fans(const il_tin *t, uint32_t *fan, uint32_t *count)
+{
+    for (size_t k = 0; k < 3 * t->n; k++) {
+        if (!is_rim(t, k))
+            continue;
+        uint32_t number = count[t->corner[k]]++;
+        for (size_t j = k; j != SIZE_MAX && number > 0; j = next_around(t, j))
+            fan[j] = number;
+    }
+}
+
+/* first[node]: its lowest vertex, those of higher levels following it, and then those of its
+ * other fans; IL_CHART_NONE where the node is outside. */
 typedef struct laying {
     il_skin *s;
     const il_tin *t;
@@ -49,10 +79,21 @@ typedef struct laying {
     const il_band *band;
     const il_stack_head *head;
     const il_placement_options *o;
-    uint32_t *first;
+    uint32_t *first, *fan, *count;
 } laying;
 
 /* ---- the surface ---------------------------------------------------------------- */
+
+static bool lay_fan(laying *l, uint32_t node)
+{
+    const il_chart_node *n = &l->c->node[node];
+    for (int32_t level = n->level; level <= n->top; level++) {
+        double z = level < 0 ? n->z : l->c->level_z[level];
+        if (add_vertex(l->s, l->c, node, level, il_placement_height(l->head, l->o, z)) == IL_CHART_NONE)
+            return false;
+    }
+    return true;
+}
 
 /* Vertices in the order of their nodes, so that those of the lines come first; a vertex for
  * each level where lines run together. */
@@ -65,15 +106,14 @@ static bool lay_vertices(laying *l)
         if (l->t->face[k / 3] != IL_CHART_NONE)
             l->first[l->t->corner[k]] = 0;
     for (size_t v = 0; v < c->n_nodes; v++) {
-        const il_chart_node *n = &c->node[v];
         if (l->first[v] == IL_CHART_NONE)
             continue;
         l->first[v] = (uint32_t)l->s->n_vertices;
-        for (int32_t level = n->level; level <= n->top; level++) {
-            double z = level < 0 ? n->z : c->level_z[level];
-            if (add_vertex(l->s, c, (uint32_t)v, level, il_placement_height(l->head, l->o, z)) == IL_CHART_NONE)
+        uint32_t fans = l->count[v] > 1 ? l->count[v] : 1;
+        for (uint32_t fan = 0; fan < fans; fan++)
+            if (!lay_fan(l, (uint32_t)v))
                 return false;
-        }
+        l->s->n_pinches += fans - 1;
     }
     return true;
 }
@@ -81,7 +121,7 @@ static bool lay_vertices(laying *l)
 static uint32_t vertex_of(const laying *l, size_t k)
 {
     const il_chart_node *n = &l->c->node[l->t->corner[k]];
-    uint32_t v = l->first[l->t->corner[k]];
+    uint32_t v = l->first[l->t->corner[k]] + l->fan[k] * (uint32_t)(n->top - n->level + 1);
     return n->level == n->top ? v : v + (uint32_t)(il_cliff_level(n, l->band[l->t->face[k / 3]]) - n->level);
 }
 
@@ -138,57 +178,75 @@ static il_status lay_cliffs(laying *l, il_error *err)
 il_status il_skin_lay(il_skin *s, const il_tin *t, const il_chart *c, const il_band *band,
                       const il_stack_head *head, const il_placement_options *o, il_error *err)
 {
-    laying l = { s, t, c, band, head, o, il_alloc(c->n_nodes, sizeof *l.first) };
-    il_status st = l.first && lay_vertices(&l) && lay_surface(&l) ? lay_cliffs(&l, err) : il_fail_nomem(err);
+    laying l = { s, t, c, band, head, o, il_alloc(c->n_nodes, sizeof *l.first), il_calloc(3 * t->n, sizeof *l.fan),
+                 il_calloc(c->n_nodes, sizeof *l.count) };
+    bool ok = l.first && l.fan && l.count;
+    if (ok)
+        find_fans(t, l.fan, l.count);
+    il_status st = ok && lay_vertices(&l) && lay_surface(&l) ? lay_cliffs(&l, err) : il_fail_nomem(err);
     il_free(l.first);
+    il_free(l.fan);
+    il_free(l.count);
     return st;
 }
 
 /* ---- walls and floor -------------------------------------------------------------- */
 
-/* Half-edges of the surface over the frame: of its triangles' edges K those that nothing lies
- * beyond.  bottom[node]: the floor's vertex there, IL_CHART_NONE off the frame. */
+/* bottom[v]: the floor's vertex under vertex V of the surface, the lowest there;
+ * IL_CHART_NONE off the frame.  rim: of the chart's nodes, to a half-edge K of triangles that
+ * nothing lies beyond; above[k]: where that begins, in the surface. */
 typedef struct closing {
     il_skin *s;
     const il_tin *t;
     const il_chart *c;
-    uint32_t *bottom;
+    uint32_t *bottom, *above;
+    il_keymap rim;
     double floor;
 } closing;
-
-static bool is_rim(const il_tin *t, size_t k)
-{
-    return t->face[k / 3] != IL_CHART_NONE && (t->across[k] == IL_CHART_NONE || t->face[t->across[k]] == IL_CHART_NONE);
-}
-
-static bool add_bottoms(closing *w)
-{
-    for (size_t v = 0; v < w->c->n_nodes; v++)
-        w->bottom[v] = IL_CHART_NONE;
-    for (size_t k = 0; k < 3 * w->t->n; k++) {
-        uint32_t v = w->t->corner[k];
-        if (!is_rim(w->t, k))
-            continue;
-        w->bottom[v] = add_vertex(w->s, w->c, v, -1, w->floor);
-        if (w->bottom[v] == IL_CHART_NONE)
-            return false;
-    }
-    return true;
-}
 
 /* The lowest of the vertices that stand where V does, in the surface. */
 static uint32_t foot_of(const il_skin *s, uint32_t v)
 {
-    while (v > 0 && s->node[v - 1] == s->node[v])
+    while (v > 0 && s->node[v - 1] == s->node[v] && s->level[v - 1] < s->level[v])
         v--;
     return v;
+}
+
+/* The surface has the triangles inside the frame, in the same order. */
+static bool find_rim(closing *w)
+{
+    size_t t = 0;
+    for (size_t k = 0; k < 3 * w->t->n; k++) {
+        if (w->t->face[k / 3] == IL_CHART_NONE)
+            continue;
+        w->above[k] = foot_of(w->s, w->s->tri[3 * t + k % 3]);
+        if (is_rim(w->t, k) && !il_keymap_put(&w->rim, IL_KEYMAP_EDGE(w->t->corner[k], w->t->corner[il_tin_after(k)]), (uint32_t)k))
+            return false;
+        t += k % 3 == 2;
+    }
+    return true;
+}
+
+static bool add_bottoms(closing *w)
+{
+    for (size_t v = 0; v < w->s->n_vertices; v++)
+        w->bottom[v] = IL_CHART_NONE;
+    for (size_t k = 0; k < 3 * w->t->n; k++) {
+        if (!is_rim(w->t, k))
+            continue;
+        uint32_t v = add_vertex(w->s, w->c, w->t->corner[k], -1, w->floor);
+        if (v == IL_CHART_NONE)
+            return false;
+        w->bottom[w->above[k]] = v;
+    }
+    return true;
 }
 
 /* Under the surface's edge from A to B; seen from outside, a stands left of b. */
 static bool add_wall(closing *w, uint32_t a, uint32_t b)
 {
     il_skin *s = w->s;
-    uint32_t a0 = w->bottom[s->node[a]], b0 = w->bottom[s->node[b]], foot_a = foot_of(s, a), foot_b = foot_of(s, b);
+    uint32_t foot_a = foot_of(s, a), foot_b = foot_of(s, b), a0 = w->bottom[foot_a], b0 = w->bottom[foot_b];
     return add_triangle(s, a0, b0, foot_b, -1) && add_triangle(s, a0, foot_b, foot_a, -1) && stand(s, foot_b, b, foot_a, a, -1);
 }
 
@@ -212,20 +270,45 @@ static bool add_walls(closing *w)
  * the whole. */
 static bool draw_rim(closing *w, il_chart *rim, uint32_t *to)
 {
-    uint32_t *from = il_alloc(w->c->n_nodes, sizeof *from);
-    bool ok = from;
-    for (size_t v = 0; v < w->c->n_nodes && ok; v++) {
-        if (w->bottom[v] == IL_CHART_NONE)
+    for (size_t k = 0; k < 3 * w->t->n; k++) {
+        const uint32_t end[2] = { w->t->corner[k], w->t->corner[il_tin_after(k)] };
+        uint32_t node[2];
+        if (!is_rim(w->t, k))
             continue;
-        from[v] = il_chart_node_at(rim, w->c->xy[2 * v], w->c->xy[2 * v + 1]);
-        ok = from[v] != IL_CHART_NONE;
-        if (ok)
-            to[from[v]] = (uint32_t)v;
+        for (int i = 0; i < 2; i++) {
+            node[i] = il_chart_node_at(rim, w->c->xy[2 * (size_t)end[i]], w->c->xy[2 * (size_t)end[i] + 1]);
+            if (node[i] == IL_CHART_NONE)
+                return false;
+            to[node[i]] = end[i];
+        }
+        if (!il_chart_add_edge(rim, node[0], node[1], IL_CHART_NONE, -1))
+            return false;
     }
-    for (size_t k = 0; k < 3 * w->t->n && ok; k++)
-        if (is_rim(w->t, k))
-            ok = il_chart_add_edge(rim, from[w->t->corner[k]], from[w->t->corner[il_tin_after(k)]], IL_CHART_NONE, -1);
-    il_free(from);
+    return true;
+}
+
+/* corner[3*t->n]: of the triangles of the rim's T, in the skin.  Fan by fan, each of which begins
+ * at the same edge as one of the surface's. */
+static void find_corners(const closing *w, const il_tin *t, const uint32_t *to, uint32_t *corner)
+{
+    for (size_t k = 0; k < 3 * t->n; k++) {
+        if (!is_rim(t, k))
+            continue;
+        uint32_t rim = il_keymap_get(&w->rim, IL_KEYMAP_EDGE(to[t->corner[k]], to[t->corner[il_tin_after(k)]]), 0);
+        for (size_t j = k; j != SIZE_MAX; j = next_around(t, j))
+            corner[j] = w->bottom[w->above[rim]];
+    }
+}
+
+static bool lay_floor(closing *w, const il_tin *t, const uint32_t *to)
+{
+    uint32_t *corner = il_alloc(3 * t->n, sizeof *corner);
+    bool ok = corner != NULL;
+    if (ok)
+        find_corners(w, t, to, corner);
+    for (size_t k = 0; k < t->n && ok; k++)
+        ok = t->face[k] == IL_CHART_NONE || add_triangle(w->s, corner[3 * k], corner[3 * k + 2], corner[3 * k + 1], -1);
+    il_free(corner);
     return ok;
 }
 
@@ -240,40 +323,20 @@ static il_status add_floor(closing *w, il_error *err)
         st = il_tin_build(&t, &rim, &crosses, err);
     if (st == IL_OK && crosses)
         st = il_fail(err, IL_E_INTERNAL, 0, "the frame of a triangulation crosses itself");
-    for (size_t k = 0; k < t.n && st == IL_OK; k++) {
-        const uint32_t *v = t.corner + 3 * k;
-        if (t.face[k] != IL_CHART_NONE && !add_triangle(w->s, w->bottom[to[v[0]]], w->bottom[to[v[2]]], w->bottom[to[v[1]]], -1))
-            st = il_fail_nomem(err);
-    }
+    if (st == IL_OK && !lay_floor(w, &t, to))
+        st = il_fail_nomem(err);
     il_free(to);
     il_tin_free(&t);
     il_chart_free(&rim);
     return st;
 }
 
-/* A node that two edges of the rim leave stands where the frame touches itself. */
-static il_status check_rim(const closing *w, il_error *err)
-{
-    unsigned char *seen = il_calloc(w->c->n_nodes, 1);
-    il_status st = seen ? IL_OK : il_fail_nomem(err);
-    for (size_t k = 0; k < 3 * w->t->n && st == IL_OK; k++) {
-        if (!is_rim(w->t, k))
-            continue;
-        if (seen[w->t->corner[k]]++)
-            st = il_fail(err, IL_E_SURFACE, 0, "the frame touches itself, so that a solid on it would, too");
-    }
-    il_free(seen);
-    return st;
-}
-
 il_status il_skin_close(il_skin *s, const il_tin *t, const il_chart *c, double floor, il_error *err)
 {
-    closing w = { s, t, c, il_alloc(c->n_nodes, sizeof *w.bottom), floor };
-    il_status st = w.bottom ? check_rim(&w, err) : il_fail_nomem(err);
-    if (st == IL_OK && !(add_bottoms(&w) && add_walls(&w)))
-        st = il_fail_nomem(err);
-    if (st == IL_OK)
-        st = add_floor(&w, err);
+    closing w = { s, t, c, il_alloc(s->n_vertices, sizeof *w.bottom), il_alloc(3 * t->n, sizeof *w.above), IL_KEYMAP_INIT, floor };
+    il_status st = w.bottom && w.above && find_rim(&w) && add_bottoms(&w) && add_walls(&w) ? add_floor(&w, err) : il_fail_nomem(err);
     il_free(w.bottom);
+    il_free(w.above);
+    il_keymap_free(&w.rim);
     return st;
 }

@@ -9,14 +9,15 @@
  * stand at one place of the plane; level[v]: of a line that passes through it, -1 for none.
  * tri[3*n_triangles]: first n_surface of the surface, then n_cliff upright ones where lines run
  * together, then n_wall of the walls, then the floor; slab[t]: the level below the triangle's
- * band, -1 for none, walls and floor; of a cliff the level at its foot. */
+ * band, -1 for none, walls and floor; of a cliff the level at its foot.  n_pinches: places where the
+ * frame touches itself; the surface has a vertex there for each of its parts that meet. */
 typedef struct il_skin {
     double *xyz;             size_t n_vertices, cap_vertices;
     uint32_t *node;          size_t cap_nodes;
     int32_t *level;          size_t cap_levels;
     uint32_t *tri;           size_t n_triangles, cap_triangles;
     int32_t *slab;           size_t cap_slabs;
-    size_t n_surface, n_cliff, n_wall;
+    size_t n_surface, n_cliff, n_wall, n_pinches;
 } il_skin;
 
 #define IL_SKIN_INIT { 0 }
@@ -27,8 +28,7 @@ void il_skin_free(il_skin *s); /* safe twice */
 il_status il_skin_lay(il_skin *s, const il_tin *t, const il_chart *c, const il_band *band,
                       const il_stack_head *head, const il_placement_options *o, il_error *err);
 
-/* Close S with walls along the frame and a flat floor at height FLOOR of the mesh.  The frame
- * touches itself nowhere (IL_E_SURFACE). */
+/* Close S with walls along the frame and a flat floor at height FLOOR of the mesh. */
 il_status il_skin_close(il_skin *s, const il_tin *t, const il_chart *c, double floor, il_error *err);
 
 #endif

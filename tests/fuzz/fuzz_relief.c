@@ -345,18 +345,6 @@ static void check_edges(const world *w)
     free(edge);
 }
 
-/* Outlines that touch themselves give surfaces that do, and no solids. */
-static bool is_pinched(const il_slice *s)
-{
-    for (size_t i = 0; i < s->n; i++)
-        for (size_t j = 0; j <= i; j++)
-            for (size_t k = 0; k < s->ring[i].n; k++)
-                for (size_t l = 0; l < (i == j ? k : s->ring[j].n); l++)
-                    if (memcmp(s->ring[i].xy + 2 * k, s->ring[j].xy + 2 * l, 2 * sizeof(double)) == 0)
-                        return true;
-    return false;
-}
-
 static void check_mesh(const world *w)
 {
     il_audit a;
@@ -366,7 +354,7 @@ static void check_mesh(const world *w)
     must(il_mesh_audit(&w->mesh, &a, NULL) == IL_OK, "no audit");
     must(!w->options.placement.solid || il_audit_is_sound(&a), "a solid is not sound");
     must(a.self_intersections == 0 && a.degenerate_triangles == 0 && a.loose_vertices == 0, "a surface is not sound");
-    must((a.manifold || is_pinched(&w->frame.rings)) && a.oriented, "a surface is no manifold");
+    must(a.manifold && a.oriented, "a surface is no manifold");
 }
 
 /* ---- lines --------------------------------------------------------------------------- */
@@ -496,8 +484,6 @@ static il_status feed(world *w, il_sink *joiner, il_error *err)
 
 static void check(world *w, il_status st, const il_error *err)
 {
-    if (st == IL_E_SURFACE && strstr(err->text, "the frame touches itself") && is_pinched(&w->outline))
-        return;
     if (st != IL_OK) {
         if (err->code != IL_E_INPUT)
             fprintf(stderr, "%d: %s\n", err->code, err->text);

@@ -2,6 +2,7 @@
 #include "terrain/complaint.h"
 #include "base/number.h"
 
+#include <math.h>
 #include <stdio.h>
 
 static const il_ring *ring_of(const il_complaint *c, uint32_t l)
@@ -32,11 +33,21 @@ void il_complaint_name(const il_complaint *c, uint32_t l, char *to, size_t n)
     snprintf(to, n, "the isoline of %s %s%s", z, unit_of_heights(c), where);
 }
 
+/* Nine digits of the larger coordinate: enough to find the place, and to read it. */
+static double shorten(double v, const double at[2])
+{
+    double size = fmax(fabs(at[0]), fabs(at[1]));
+    double places = size > 0 ? 8 - floor(log10(size)) : 0;
+    if (!(places > 0 && places < 300))
+        return round(v) + 0.0; /* not -0 */
+    return round(v * pow(10, places)) / pow(10, places) + 0.0;
+}
+
 static void name_place(const double at[2], char to[2 * IL_NUMBER_MAX + 16])
 {
     char x[IL_NUMBER_MAX], y[IL_NUMBER_MAX];
-    il_number_format(x, at[0]);
-    il_number_format(y, at[1]);
+    il_number_format(x, shorten(at[0], at));
+    il_number_format(y, shorten(at[1], at));
     snprintf(to, 2 * IL_NUMBER_MAX + 16, "near (%s, %s)", x, y);
 }
 

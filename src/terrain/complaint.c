@@ -1,6 +1,5 @@
 #include "config.h"
 #include "terrain/complaint.h"
-#include "base/number.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -43,20 +42,20 @@ static double shorten(double v, const double at[2])
     return round(v * pow(10, places)) / pow(10, places) + 0.0;
 }
 
-static void name_place(const double at[2], char to[2 * IL_NUMBER_MAX + 16])
+void il_complaint_place(const double at[2], char to[IL_COMPLAINT_PLACE])
 {
     char x[IL_NUMBER_MAX], y[IL_NUMBER_MAX];
     il_number_format(x, shorten(at[0], at));
     il_number_format(y, shorten(at[1], at));
-    snprintf(to, 2 * IL_NUMBER_MAX + 16, "near (%s, %s)", x, y);
+    snprintf(to, IL_COMPLAINT_PLACE, "near (%s, %s)", x, y);
 }
 
 void il_complaint_against(const il_complaint *c, uint32_t l, const double at[2], const char *why, uint32_t other)
 {
-    char name[160], against[160], place[2 * IL_NUMBER_MAX + 16], reason[600];
+    char name[160], against[160], place[IL_COMPLAINT_PLACE], reason[600];
     const il_ring *r = ring_of(c, l);
     il_complaint_name(c, l, name, sizeof name);
-    name_place(at, place);
+    il_complaint_place(at, place);
     if (other < c->n_lines) {
         il_complaint_name(c, other, against, sizeof against);
         snprintf(reason, sizeof reason, "%s, against %s, %s; left out", why, against, place);
@@ -84,11 +83,11 @@ void il_complaint_spot(const il_complaint *c, size_t i, const char *why)
 
 void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const double at[2], bool is_third)
 {
-    char first[160], second[160] = "the edge of the map", place[2 * IL_NUMBER_MAX + 16];
+    char first[160], second[160] = "the edge of the map", place[IL_COMPLAINT_PLACE];
     il_complaint_name(c, a, first, sizeof first);
     if (b < c->n_lines)
         il_complaint_name(c, b, second, sizeof second);
-    name_place(at, place);
+    il_complaint_place(at, place);
     if (is_third)
         il_report_note(c->report, "beside %s, %s, %s lies between two other levels: lines interpolated", first, place, second);
     else

@@ -2,6 +2,7 @@
 #ifndef IL_TERRAIN_COMPLAINT_H
 #define IL_TERRAIN_COMPLAINT_H
 
+#include "base/number.h"
 #include "model/report.h"
 #include "terrain/chart.h"
 
@@ -31,5 +32,9 @@ void il_complaint_missing(const il_complaint *c, uint32_t a, uint32_t b, const d
 
 /* "the isoline of 40 m (feature 12, line 340)"; N bytes at TO. */
 void il_complaint_name(const il_complaint *c, uint32_t l, char *to, size_t n);
+
+/* "near (300.5, 40)": AT, a point of the map. */
+#define IL_COMPLAINT_PLACE (2 * IL_NUMBER_MAX + 16)
+void il_complaint_place(const double at[2], char to[IL_COMPLAINT_PLACE]);
 
 #endif

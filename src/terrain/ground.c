@@ -1,7 +1,6 @@
 #include "config.h"
 #include "terrain/ground.h"
 #include "base/alloc.h"
-#include "base/number.h"
 #include "terrain/blank.h"
 #include "terrain/cliff.h"
 #include "terrain/complaint.h"
@@ -394,12 +393,11 @@ static il_status make_ground_apart(il_ground *g, il_error *err)
 static void tell_blanks(const il_ground *g)
 {
     for (size_t k = 0; k < g->n_blanks; k++) {
-        char x[IL_NUMBER_MAX], y[IL_NUMBER_MAX], why[2 * IL_NUMBER_MAX + 60];
+        char place[IL_COMPLAINT_PLACE], why[IL_COMPLAINT_PLACE + 60];
         double at[2];
         put_back(g, g->blank + 2 * k, at);
-        il_number_format(x, at[0]);
-        il_number_format(y, at[1]);
-        snprintf(why, sizeof why, "no isoline tells its height, near (%s, %s); left out", x, y);
+        il_complaint_place(at, place);
+        snprintf(why, sizeof why, "no isoline tells its height, %s; left out", place);
         il_report_skip(g->report, g->head->n_files > 0 ? g->head->file[0] : "-", 0, "a part of the frame", why);
     }
 }

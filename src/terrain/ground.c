@@ -207,6 +207,12 @@ static il_status build_law(il_ground *g, il_error *err)
     return il_law_build(&g->law, &g->tin, &g->chart, g->bands.band, err);
 }
 
+static il_status judge_spots(il_ground *g, il_error *err)
+{
+    il_complaint complaint = complaint_of(g);
+    return il_spots_judge(&g->chart, &g->tin, g->bands.band, &complaint, g->spot_out, g->spot_node, err);
+}
+
 static il_status draw_missing(il_ground *g, il_error *err)
 {
     size_t n = 0;
@@ -217,6 +223,8 @@ static il_status draw_missing(il_ground *g, il_error *err)
     st = triangulate(g, err);
     if (st == IL_OK)
         st = label(g, g->n_lines + g->n_slices, err);
+    if (st == IL_OK)
+        st = judge_spots(g, err); /* dividing the chart anew may have led lines through some */
     return st == IL_OK ? build_law(g, err) : st;
 }
 
@@ -361,10 +369,9 @@ static void leave_out_idle(il_ground *g, bool *any)
 /* From the lines that are not left out to a mesh that is proved. */
 static il_status make_ground(il_ground *g, il_error *err)
 {
-    il_complaint complaint = complaint_of(g);
     il_status st = find_bands(g, err);
     if (st == IL_OK)
-        st = il_spots_judge(&g->chart, &g->tin, g->bands.band, &complaint, g->spot_out, g->spot_node, err);
+        st = judge_spots(g, err);
     if (st == IL_OK)
         st = find_heights(g, err);
     return st == IL_OK ? make_mesh(g, err) : st;

@@ -60,6 +60,7 @@ il_status il_spots_judge(il_chart *c, const il_tin *t, const il_band *band, cons
             continue;
         il_complaint_spot(complaint, i, fault);
         out[i] = 1;
+        node[i] = IL_CHART_NONE;
         n->is_spot = false;
         n->z = n->level < 0 ? NAN : n->z;
     }

@@ -2,16 +2,12 @@
 # has found, without a fuzzer; one case a harness.
 
 harnesses="
-dcmdump
-dicom-json
-dicom-xml
-dxf
-geojson
 bln
 csv
 dcmdump
 dicom-json
 dicom-xml
+dxf
 geojson
 gmt
 gpx

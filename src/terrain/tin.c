@@ -116,7 +116,8 @@ static il_status find_faces(il_tin *t, il_error *err)
 {
     uint32_t *stack = il_alloc(t->n, sizeof *stack);
     t->face = il_alloc(t->n, sizeof *t->face);
-    if (stack && t->face) {
+    bool ok = stack && t->face;
+    if (ok) {
         for (size_t k = 0; k < t->n; k++)
             t->face[k] = UNKNOWN;
         t->n_faces = 0;
@@ -125,7 +126,7 @@ static il_status find_faces(il_tin *t, il_error *err)
                 flood(t, (uint32_t)k, (uint32_t)t->n_faces++, stack);
     }
     il_free(stack);
-    return t->face ? IL_OK : il_fail_nomem(err);
+    return ok ? IL_OK : il_fail_nomem(err);
 }
 
 static il_status find_sides(il_tin *t, const il_chart *c, il_error *err)

@@ -139,7 +139,7 @@ static bool is_on_line(const il_ring *r, size_t v)
 static bool add_line(drawing *d, uint32_t l)
 {
     il_chart *c = d->c;
-    const il_ring *r = &d->slice[d->line[l].level].ring[d->line[l].ring];
+    const il_ring *r = il_chart_ring(d->slice, d->line, l);
     uint32_t first = IL_CHART_NONE, before = IL_CHART_NONE;
     for (size_t v = 0; v < r->n; v++) {
         uint32_t node = node_of(d, r->xy + 2 * v);

@@ -26,6 +26,12 @@ typedef struct il_chart_line {
     bool left_out;
 } il_chart_line;
 
+/* The ring that line L of line[] is, in the levels slice[]. */
+static inline const il_ring *il_chart_ring(const il_slice *slice, const il_chart_line *line, size_t l)
+{
+    return &slice[line[l].level].ring[line[l].ring];
+}
+
 /* xy[2*n_nodes], in the coordinates of the mesh (terrain/placement.h), distinct.
  * edge[2*n_edges]: nodes, along the lines; owner[e]: the line that it belongs to, n_lines and
  * more for interpolated ones, IL_CHART_NONE for the frame; height[e]: its level, -1 for the

@@ -4,11 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-static const il_ring *ring_of(const il_complaint *c, uint32_t l)
-{
-    return &c->slice[c->line[l].level].ring[c->line[l].ring];
-}
-
 static const char *file_of(const il_complaint *c, uint32_t file)
 {
     return file < c->head->n_files ? c->head->file[file] : "-";
@@ -22,7 +17,7 @@ static const char *unit_of_heights(const il_complaint *c)
 
 void il_complaint_name(const il_complaint *c, uint32_t l, char *to, size_t n)
 {
-    const il_ring *r = ring_of(c, l);
+    const il_ring *r = il_chart_ring(c->slice, c->line, l);
     char z[IL_NUMBER_MAX], where[64] = "";
     il_number_format(z, c->slice[c->line[l].level].z);
     if (r->feature > 0 && r->line > 0)
@@ -53,7 +48,7 @@ void il_complaint_place(const double at[2], char to[IL_COMPLAINT_PLACE])
 void il_complaint_against(const il_complaint *c, uint32_t l, const double at[2], const char *why, uint32_t other)
 {
     char name[160], against[160], place[IL_COMPLAINT_PLACE], reason[600];
-    const il_ring *r = ring_of(c, l);
+    const il_ring *r = il_chart_ring(c->slice, c->line, l);
     il_complaint_name(c, l, name, sizeof name);
     il_complaint_place(at, place);
     if (other < c->n_lines) {

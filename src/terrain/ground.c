@@ -40,11 +40,6 @@ void il_ground_free(il_ground *g)
     g->border = NULL;
 }
 
-static const il_ring *ring_of(const il_ground *g, size_t l)
-{
-    return &g->slice[g->line[l].level].ring[g->line[l].ring];
-}
-
 static il_complaint complaint_of(const il_ground *g)
 {
     return (il_complaint){ g->head, g->unit, g->slice, g->line, g->n_lines, g->report };
@@ -304,7 +299,7 @@ static double *measure_lines(const il_ground *g)
 {
     double *length = il_alloc(g->n_lines, sizeof *length);
     for (size_t l = 0; length && l < g->n_lines; l++)
-        length[l] = il_ring_length(ring_of(g, l));
+        length[l] = il_ring_length(il_chart_ring(g->slice, g->line, l));
     return length;
 }
 

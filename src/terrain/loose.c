@@ -25,11 +25,6 @@ typedef struct ends {
     uint32_t *next, *count, *of, *due;
 } ends;
 
-static const il_ring *ring_of(const ends *e, uint32_t l)
-{
-    return &e->slice[e->line[l].level].ring[e->line[l].ring];
-}
-
 static int compare_ends(const void *pa, const void *pb)
 {
     const end *a = pa, *b = pb;
@@ -49,7 +44,7 @@ static void list_ends(ends *e, size_t n_lines, const il_frame *frame)
         const il_frame_end *in = &frame->inside[k];
         while (l < n_lines && (e->line[l].level != (int32_t)in->level || e->line[l].ring != (int32_t)in->ring))
             l++;
-        const il_ring *r = ring_of(e, l);
+        const il_ring *r = il_chart_ring(e->slice, e->line, l);
         const double *p = r->xy + (in->last ? 2 * (r->n - 1) : 0);
         e->end[e->n++] = (end){ l, 0, (int32_t)in->level, il_ring_length(r), { p[0], p[1] } };
     }

@@ -193,13 +193,13 @@ il_status il_skin_lay(il_skin *s, const il_tin *t, const il_chart *c, const il_b
 /* ---- walls and floor -------------------------------------------------------------- */
 
 /* bottom[v]: the floor's vertex under vertex V of the surface, the lowest there;
- * IL_CHART_NONE off the frame.  rim: of the chart's nodes, to a half-edge K of triangles that
- * nothing lies beyond; above[k]: where that begins, in the surface. */
+ * IL_CHART_NONE off the frame.  vertex[k]: of the surface at corner K of triangles.  rim: of
+ * the chart's nodes, to a half-edge K that nothing lies beyond. */
 typedef struct closing {
     il_skin *s;
     const il_tin *t;
     const il_chart *c;
-    uint32_t *bottom, *above;
+    uint32_t *bottom, *vertex;
     il_keymap rim;
     double floor;
 } closing;
@@ -219,7 +219,7 @@ static bool find_rim(closing *w)
     for (size_t k = 0; k < 3 * w->t->n; k++) {
         if (w->t->face[k / 3] == IL_CHART_NONE)
             continue;
-        w->above[k] = foot_of(w->s, w->s->tri[3 * t + k % 3]);
+        w->vertex[k] = w->s->tri[3 * t + k % 3];
         if (is_rim(w->t, k) && !il_keymap_put(&w->rim, IL_KEYMAP_EDGE(w->t->corner[k], w->t->corner[il_tin_after(k)]), (uint32_t)k))
             return false;
         t += k % 3 == 2;
@@ -237,7 +237,7 @@ static bool add_bottoms(closing *w)
         uint32_t v = add_vertex(w->s, w->c, w->t->corner[k], -1, w->floor);
         if (v == IL_CHART_NONE)
             return false;
-        w->bottom[w->above[k]] = v;
+        w->bottom[foot_of(w->s, w->vertex[k])] = v;
     }
     return true;
 }
@@ -252,16 +252,9 @@ static bool add_wall(closing *w, uint32_t a, uint32_t b)
 
 static bool add_walls(closing *w)
 {
-    size_t t = 0;
-    for (size_t k = 0; k < 3 * w->t->n; k++) {
-        if (w->t->face[k / 3] == IL_CHART_NONE)
-            continue;
-        /* the surface has the triangles inside the frame, in the same order */
-        const uint32_t *v = w->s->tri + 3 * t;
-        if (is_rim(w->t, k) && !add_wall(w, v[k % 3], v[(k + 1) % 3]))
+    for (size_t k = 0; k < 3 * w->t->n; k++)
+        if (is_rim(w->t, k) && !add_wall(w, w->vertex[k], w->vertex[il_tin_after(k)]))
             return false;
-        t += k % 3 == 2;
-    }
     w->s->n_wall = w->s->n_triangles - w->s->n_surface - w->s->n_cliff;
     return true;
 }
@@ -296,7 +289,7 @@ static void find_corners(const closing *w, const il_tin *t, const uint32_t *to, 
             continue;
         uint32_t rim = il_keymap_get(&w->rim, IL_KEYMAP_EDGE(to[t->corner[k]], to[t->corner[il_tin_after(k)]]), 0);
         for (size_t j = k; j != SIZE_MAX; j = next_around(t, j))
-            corner[j] = w->bottom[w->above[rim]];
+            corner[j] = w->bottom[foot_of(w->s, w->vertex[rim])];
     }
 }
 
@@ -333,10 +326,10 @@ static il_status add_floor(closing *w, il_error *err)
 
 il_status il_skin_close(il_skin *s, const il_tin *t, const il_chart *c, double floor, il_error *err)
 {
-    closing w = { s, t, c, il_alloc(s->n_vertices, sizeof *w.bottom), il_alloc(3 * t->n, sizeof *w.above), IL_KEYMAP_INIT, floor };
-    il_status st = w.bottom && w.above && find_rim(&w) && add_bottoms(&w) && add_walls(&w) ? add_floor(&w, err) : il_fail_nomem(err);
+    closing w = { s, t, c, il_alloc(s->n_vertices, sizeof *w.bottom), il_alloc(3 * t->n, sizeof *w.vertex), IL_KEYMAP_INIT, floor };
+    il_status st = w.bottom && w.vertex && find_rim(&w) && add_bottoms(&w) && add_walls(&w) ? add_floor(&w, err) : il_fail_nomem(err);
     il_free(w.bottom);
-    il_free(w.above);
+    il_free(w.vertex);
     il_keymap_free(&w.rim);
     return st;
 }

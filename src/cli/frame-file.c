@@ -1,6 +1,7 @@
 #include "config.h"
 #include "cli/frame-file.h"
 #include "base/alloc.h"
+#include "cli/nowhere.h"
 #include "region/clean.h"
 
 #include <string.h>
@@ -51,21 +52,6 @@ static il_status take_slice(il_sink *self, il_slice *s, il_error *err)
     return IL_OK;
 }
 
-static il_status take_pair(il_sink *self, il_pair *p, il_error *err)
-{
-    (void)self;
-    (void)p;
-    (void)err;
-    return IL_OK;
-}
-
-static il_status take_end(il_sink *self, il_error *err)
-{
-    (void)self;
-    (void)err;
-    return IL_OK;
-}
-
 static il_status read_rings(gatherer *g, const il_read_options *read, il_error *err)
 {
     il_source *source;
@@ -106,7 +92,9 @@ static il_status clean(il_frame_file *o, il_report *report, il_error *err)
 il_status il_frame_file_read(il_frame_file *o, const char *file, const il_read_options *read, il_report *report, il_error *err)
 {
     *o = (il_frame_file)IL_FRAME_FILE_INIT;
-    gatherer g = { { take_head, take_slice, take_pair, take_end, take_end }, o, report, file, 0 };
+    gatherer g = { il_nowhere_contours(), o, report, file, 0 };
+    g.sink.stack_begin = take_head;
+    g.sink.slice = take_slice;
     il_status st = read_rings(&g, read, err);
     if (st == IL_OK)
         st = clean(o, report, err);

@@ -233,7 +233,7 @@ static il_status build_lofter(work *w, bool rounds, il_error *err)
 static il_status build_relief(work *w, bool rounds, il_error *err)
 {
     const il_map_settings *m = &w->settings.map;
-    il_relief_options o = { .frame.kind = m->hull ? IL_FRAME_HULL : IL_FRAME_BBOX, .threads = threads_of(&w->settings) };
+    il_relief_options o = { .frame.kind = m->hull ? IL_FRAME_HULL : IL_FRAME_BBOX };
     o.placement = (il_placement_options){ .fit = m->fit, .z_scale = m->z_scale > 0 ? m->z_scale : 1,
                                           .recentre = m->recentre > 0 || (m->recentre == 0 && rounds), .solid = m->solid,
                                           .has_base = m->has_base, .round_float = rounds, .base = m->base };

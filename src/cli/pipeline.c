@@ -173,7 +173,6 @@ static il_status build_surfaces(pipeline *p, il_mesh_sink *meshes, il_error *err
     l.progress = il_account_progress;
     l.progress_self = p->account;
     il_relief_options r = o->relief;
-    r.threads = l.threads;
     if (o->frame_file)
         r.frame = il_frame_file_frame(&p->outline);
     il_status st = il_lofter_new(&p->lofter, &l, meshes, err);

@@ -19,7 +19,6 @@ typedef struct il_relief_options {
     il_frame_options frame;
     il_placement_options placement;
     il_side high;
-    int threads;
 } il_relief_options;
 
 /* A sink that gives NEXT (borrowed) the certified surface of each stack of terrain, open at

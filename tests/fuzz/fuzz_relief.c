@@ -120,7 +120,6 @@ static void take_options(world *w, const uint8_t *data)
     il_placement_options *p = &w->options.placement;
     *p = (il_placement_options)IL_PLACEMENT_OPTIONS_INIT;
     w->options.frame = (il_frame_options){ .kind = kind[data[0] & 3], .outline = &w->outline };
-    w->options.threads = 1;
     p->solid = data[0] & 4;
     p->round_float = data[0] & 8;
     p->recentre = data[0] & 16;

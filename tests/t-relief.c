@@ -365,38 +365,33 @@ static void assert_nothing_wrong(const il_report *r)
     assert_int_equal(r->repair[IL_REPAIR_MISSING_LINE], 0);
 }
 
+/* The surface of terrain SEED, its lines closed along the map's edge or open there. */
+static void assert_surface(uint64_t seed, bool closed)
+{
+    scene s;
+    il_relief_options o = { .placement = IL_PLACEMENT_OPTIONS_INIT };
+    scene_make(&s, seed, closed);
+    make(&s, &o);
+    assert_nothing_wrong(&s.report);
+    assert_half_edges(&s.c.mesh, s.box);
+    assert_covers(&s.c.mesh, s.box);
+    assert_has_lines(&s.c.mesh, s.drawn, s.t.n_levels);
+    assert_bands(&s.c, &s.t, s.box, seed);
+    scene_free(&s);
+}
+
 static void surfaces_of_random_terrains_lie_in_their_bands(void **state)
 {
     (void)state;
-    for (uint64_t seed = 0; seed < TERRAINS; seed++) {
-        scene s;
-        il_relief_options o = { .placement = IL_PLACEMENT_OPTIONS_INIT };
-        scene_make(&s, seed, false);
-        make(&s, &o);
-        assert_nothing_wrong(&s.report);
-        assert_half_edges(&s.c.mesh, s.box);
-        assert_covers(&s.c.mesh, s.box);
-        assert_has_lines(&s.c.mesh, s.drawn, s.t.n_levels);
-        assert_bands(&s.c, &s.t, s.box, seed);
-        scene_free(&s);
-    }
+    for (uint64_t seed = 0; seed < TERRAINS; seed++)
+        assert_surface(seed, false);
 }
 
 static void lines_closed_along_the_edge_are_open_at_it(void **state)
 {
     (void)state;
-    for (uint64_t seed = 1000; seed < 1000 + TERRAINS / 3; seed++) {
-        scene s;
-        il_relief_options o = { .placement = IL_PLACEMENT_OPTIONS_INIT };
-        scene_make(&s, seed, true);
-        make(&s, &o);
-        assert_nothing_wrong(&s.report);
-        assert_half_edges(&s.c.mesh, s.box);
-        assert_covers(&s.c.mesh, s.box);
-        assert_has_lines(&s.c.mesh, s.drawn, s.t.n_levels);
-        assert_bands(&s.c, &s.t, s.box, seed);
-        scene_free(&s);
-    }
+    for (uint64_t seed = 1000; seed < 1000 + TERRAINS / 3; seed++)
+        assert_surface(seed, true);
 }
 
 /* Octagons: four edges of the lowest are the map's farthest, but no edge of the map. */

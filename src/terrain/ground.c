@@ -66,12 +66,18 @@ static il_status list_lines(il_ground *g, il_error *err)
     return IL_OK;
 }
 
-/* Of few lines little ground can be made, and the user may not see that from what is written. */
-static void tell_loose(const il_ground *g)
+static size_t count_left_out(const il_ground *g)
 {
     size_t n = 0;
     for (size_t l = 0; l < g->n_lines; l++)
         n += g->line[l].left_out;
+    return n;
+}
+
+/* Of few lines little ground can be made, and the user may not see that from what is written. */
+static void tell_loose(const il_ground *g)
+{
+    size_t n = count_left_out(g);
     if (2 * n > g->n_lines)
         il_report_note(g->report, "%zu of %zu isolines end inside the map and are left out, so that little of it is left: "
                        "--join closes gaps, --frame hull or a file draws the edge nearer", n, g->n_lines);
@@ -251,16 +257,13 @@ static il_status find_heights(il_ground *g, il_error *err)
 /* Is there any part of the frame whose height a line tells? */
 static il_status require_ground(const il_ground *g, il_error *err)
 {
-    size_t n_out = 0;
     for (size_t k = 0; k < g->tin.n; k++)
         if (g->tin.face[k] != IL_CHART_NONE)
             return IL_OK;
-    for (size_t l = 0; l < g->n_lines; l++)
-        n_out += g->line[l].left_out;
     if (g->tin.n == 0)
         return il_fail(err, IL_E_INPUT, g->head->line, "the map has no extent left%s", g->options->placement.round_float
                        ? " in 32-bit floats: it is narrow, or far from the origin (--recentre)" : " when put to its size");
-    if (n_out == g->n_lines)
+    if (count_left_out(g) == g->n_lines)
         return il_fail(err, IL_E_INPUT, g->head->line, "no isoline tells the height of the ground: all had to be left out, "
                        "as they end inside the map or contradict one another");
     return il_fail(err, IL_E_INPUT, g->head->line, "no line of the map lies inside the frame");

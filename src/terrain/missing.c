@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* once: edges that were drawn, by their nodes; the index of the edge, or GONE when it was
+/* once: edges that were drawn, by their nodes; the index of the edge, or IL_CHART_NONE when it was
  * drawn from both of its sides, which are then on the same side of it.
  * lies: whether a face that lacks lines lies above the line through a node, whose level is
  * strictly inside its band. */

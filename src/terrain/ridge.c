@@ -1,7 +1,7 @@
 #include "config.h"
 #include "terrain/ridge.h"
-#include "bridge/predicates.h"
 #include "base/alloc.h"
+#include "bridge/predicates.h"
 #include "terrain/cliff.h"
 #include "terrain/split.h"
 

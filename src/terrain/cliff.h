@@ -11,7 +11,8 @@
 /* Of the levels of node N, which lies on some, the one that a face in BAND ends at. */
 int32_t il_cliff_level(const il_chart_node *n, il_band band);
 
-/* The height of corner K of T's triangles, inside the frame; NAN where the node has none. */
+/* The height of corner K of T's triangles, inside the frame, in the unit of the map's heights;
+ * NAN where the node has none. */
 double il_cliff_z(const il_tin *t, const il_chart *c, const il_band *band, size_t k);
 
 /* Faces that nothing but cliffs bounds lie above them all or below, as what is across does

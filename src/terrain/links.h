@@ -22,6 +22,7 @@ typedef struct il_links {
 bool il_links_build(il_links *l, const uint32_t *node, size_t n, bool in_triangles, size_t n_nodes);
 void il_links_free(il_links *l); /* safe twice */
 
+/* The nodes that edge K leads from and to. */
 uint32_t il_links_from(const il_links *l, size_t k);
 uint32_t il_links_to(const il_links *l, size_t k);
 

@@ -28,7 +28,8 @@ void il_skin_free(il_skin *s); /* safe twice */
 il_status il_skin_lay(il_skin *s, const il_tin *t, const il_chart *c, const il_band *band,
                       const il_stack_head *head, const il_placement_options *o, il_error *err);
 
-/* Close S with walls along the frame and a flat floor at height FLOOR of the mesh. */
+/* Close S with walls along the frame and a flat floor at height FLOOR of the mesh, below all of
+ * S.  IL_E_NOMEM; S can only be freed then. */
 il_status il_skin_close(il_skin *s, const il_tin *t, const il_chart *c, double floor, il_error *err);
 
 #endif

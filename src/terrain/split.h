@@ -5,8 +5,8 @@
 #include "terrain/tin.h"
 
 /* middle[3*n]: a node of C on each edge of T's triangles, or IL_CHART_NONE; the same from
- * both sides; none on edges of the chart.  Each triangle becomes two to four, in place of it
- * and behind the others, which keep its face.  Of two ways to divide, the one with the shorter
+ * both sides; none on edges of the chart.  Each triangle with middles becomes two to
+ * four, which stand in its place one after the other and have its face.  Of two ways to divide, the one with the shorter
  * diagonal is taken.  False without memory; T is as it was then. */
 bool il_tin_split(il_tin *t, const il_chart *c, const uint32_t *middle);
 

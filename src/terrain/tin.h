@@ -24,14 +24,15 @@ typedef struct il_tin {
 #define IL_TIN_INIT { 0 }
 void il_tin_free(il_tin *t); /* safe twice */
 
-/* The constrained Delaunay triangulation of C, and its faces, numbered in the order of their
- * first triangles.  *CROSSES: edges cross or pass through nodes; T is empty then.  O(n log n). */
+/* The constrained Delaunay triangulation of C (Chew 1989), and its faces, numbered in the order
+ * of their first triangles.  *CROSSES: edges cross or pass through nodes; T is empty then.
+ * O(n log n) for the short edges of isolines.  IL_E_NOMEM. */
 il_status il_tin_build(il_tin *t, const il_chart *c, bool *crosses, il_error *err);
 
 /* The stretches of lines between faces, as il_bands_label takes them, but for cliffs, which do
  * not tell what is on which side, and spikes, where a line goes and comes back; border[n] is
  * the caller's.  What lies beyond lines that run along the frame counts as *N_FACES - T's
- * faces more, one a stretch. */
+ * faces more, one a stretch.  IL_E_NOMEM; nothing is left to free then. */
 il_status il_tin_borders(const il_tin *t, const il_chart *c, il_border **border, size_t *n, size_t *n_faces, il_error *err);
 
 /* Corner K is one of three: the number of the next, around its triangle. */
@@ -49,7 +50,7 @@ static inline size_t il_tin_twin(const il_tin *t, size_t k)
     return j;
 }
 
-/* Twice the area of triangle T. */
+/* Twice the area of triangle T, in the mesh's unit^2; positive. */
 double il_tin_area2(const il_tin *t, const il_chart *c, size_t triangle);
 
 #endif

@@ -331,6 +331,14 @@ static il_status set_recentre(il_options *o, const char *value, bool on, il_erro
     return IL_OK;
 }
 
+static il_status set_pieces(il_options *o, const char *value, bool on, il_error *err)
+{
+    if (on && strcmp(value, "few") != 0 && strcmp(value, "overlap") != 0)
+        return il_fail(err, IL_E_USAGE, 0, "--pieces is few or overlap, not '%.40s'", value);
+    o->pieces = !on ? IL_PIECES_USUAL : strcmp(value, "few") == 0 ? IL_PIECES_FEW : IL_PIECES_OVERLAP;
+    return IL_OK;
+}
+
 static il_status set_groups(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
@@ -533,6 +541,8 @@ const il_option il_option_table[] = {
       NULL, "of single slices, input's unit; else a spacing", set_thickness },
     { 0, "matcher", "ffd|none", IL_OPTION_VALUE, LOFTERS | MATCH,
       NULL, "how slices are matched: deformed, or as they lie", set_matcher },
+    { 0, "pieces", "few|overlap", IL_OPTION_VALUE_OR_NO, LOFTERS | MATCH,
+      NULL, "link across gaps: far, for vessels, or never", set_pieces },
     { 0, "lattice", NULL, IL_OPTION_SWITCH, CONVERT | MATCH | MESH,
       NULL, "pair records hold the lattices too, for plots", set_lattice },
     { 0, "groups", "stack|slab", IL_OPTION_VALUE, CONVERT | MESH,

@@ -8,6 +8,7 @@
 #include "base/status.h"
 #include "input/reader.h"
 #include "loft/lofter.h"
+#include "match/linkage.h"
 #include "output/writer.h"
 #include "region/gapper.h"
 #include "terrain/relief.h"
@@ -57,6 +58,7 @@ typedef struct il_options {
     il_picture_options picture;
     double join;                /* how far apart ends of lines may be that are joined, in the unit of the stacks */
     il_matcher matcher;
+    il_pieces pieces;
     bool keep_lattices;
     int threads;
     il_when progress;

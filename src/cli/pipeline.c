@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/select.h"
 #include "cli/stopwatch.h"
+#include "match/linker.h"
 #include "match/matcher.h"
 #include "match/refit.h"
 #include "model/ras.h"
@@ -32,7 +33,7 @@ typedef struct pipeline {
     const il_reader *reader;
     il_destination *destination;
     il_output *pairs;
-    il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler;
+    il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *linker, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler;
     il_sink *select, *guard, *first;
     il_frame_file outline;
     il_refit *refit;
@@ -228,6 +229,16 @@ static il_status build_matcher(pipeline *p, il_error *err)
     return st;
 }
 
+static il_status build_linker(pipeline *p, il_error *err)
+{
+    if (!p->plan->match || p->options->matcher == IL_MATCHER_NONE || p->options->pieces == IL_PIECES_OVERLAP)
+        return IL_OK; /* the matcher links what overlaps itself */
+    il_linkage_options o = il_linkage_options_for(p->options->pieces);
+    il_status st = il_linker_new(&p->linker, &o, p->first, err);
+    p->first = st == IL_OK ? p->linker : p->first;
+    return st;
+}
+
 static il_status build_gapper(pipeline *p, il_error *err)
 {
     il_gap_options g = { .mode = p->options->gap, .thickness = p->options->thickness };
@@ -304,7 +315,7 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_matcher, build_gapper, build_measure, build_joiner, build_cleaner, build_ras, build_rescaler,
+        build_rounder, build_tee, build_matcher, build_linker, build_gapper, build_measure, build_joiner, build_cleaner, build_ras, build_rescaler,
         build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
@@ -325,6 +336,7 @@ static void free_pipeline(pipeline *p)
     il_joiner_free(p->joiner);
     il_measure_free(p->measure);
     il_gapper_free(p->gapper);
+    il_linker_free(p->linker);
     il_matcher_free(p->matcher);
     il_refit_free(p->refit);
     il_tee_free(p->tee);

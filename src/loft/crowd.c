@@ -146,7 +146,7 @@ static void find_trusted(il_crowd *c, bool *trusted)
     for (size_t g = 0; g < c->groups.n; g++)
         trusted[g] = true;
     for (uint32_t g = 0; p && g < p->n_groups; g++)
-        if (p->group[g].fitted && !il_fit_is_trusted(&p->group[g].fit))
+        if (p->group[g].fitted && !il_group_is_trusted(&p->group[g]))
             trusted[il_forest_leader(c->groups.up, g)] = false;
 }
 

@@ -259,10 +259,9 @@ il_status il_group_match(il_pair *pair, il_group *g, const il_slice *lower, cons
         st = il_correspond(&m.found, &m.course[0], &m.course[1], false, solver, err);
     if (st == IL_OK && !record_arcs(&m))
         st = il_fail_nomem(err);
-    if (st == IL_OK && !il_fit_is_trusted(&m.fit))
+    if (st == IL_OK) record_fit(&m, keep_lattices);
+    if (st == IL_OK && !il_group_is_trusted(g))
         st = match_as_they_lie(&m, err);
-    if (st == IL_OK)
-        record_fit(&m, keep_lattices);
     release(&m);
     return st;
 }

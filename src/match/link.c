@@ -125,9 +125,7 @@ static il_status find_outers(edges *e, il_error *err)
 /* ---- which regions overlap ---- */
 
 typedef struct linker {
-    il_pair *pair;
     edges side[2];
-    uint32_t *up;             /* forest over the lower rings and then the upper */
     uint32_t *link;           /* [2*n_links] (lower ring, upper ring), outer ones */
     size_t n_links, cap_links;
 } linker;
@@ -183,18 +181,73 @@ static il_status link_nested(linker *l, int inner, il_error *err)
     return IL_OK;
 }
 
+static void linker_free(linker *l)
+{
+    edges_free(&l->side[0]);
+    edges_free(&l->side[1]);
+    il_free(l->link);
+}
+
+/* Sorted, each once. */
+static void sort_links(linker *l)
+{
+    size_t n = 0;
+    if (l->n_links > 0)
+        qsort(l->link, l->n_links, 2 * sizeof *l->link, compare_hits);
+    for (size_t i = 0; i < l->n_links; i++)
+        if (i == 0 || compare_hits(l->link + 2 * i, l->link + 2 * (n - 1)) != 0)
+            memmove(l->link + 2 * n++, l->link + 2 * i, 2 * sizeof *l->link);
+    l->n_links = n;
+}
+
+il_status il_link_outers(const il_slice *s, uint32_t *outer, il_error *err)
+{
+    edges e;
+    il_status st = edges_take(&e, s, err);
+    if (st == IL_OK)
+        st = find_outers(&e, err);
+    if (st == IL_OK)
+        memcpy(outer, e.outer, s->n * sizeof *outer);
+    edges_free(&e);
+    return st;
+}
+
+il_status il_link_overlaps(const il_slice *lower, const il_slice *upper, uint32_t **link, size_t *n, il_error *err)
+{
+    linker l = { 0 };
+    *link = NULL;
+    *n = 0;
+    if (lower->n == 0 || upper->n == 0)
+        return IL_OK;
+    il_status st = edges_take(&l.side[0], lower, err);
+    if (st == IL_OK)
+        st = edges_take(&l.side[1], upper, err);
+    for (int k = 0; st == IL_OK && k < 2; k++)
+        st = find_outers(&l.side[k], err);
+    if (st == IL_OK)
+        st = link_meeting(&l, err);
+    for (int k = 0; st == IL_OK && k < 2; k++)
+        st = link_nested(&l, k, err);
+    if (st == IL_OK) {
+        sort_links(&l);
+        *link = l.link;
+        *n = l.n_links;
+        l.link = NULL;
+    }
+    linker_free(&l);
+    return st;
+}
+
 /* ---- groups ---- */
 
-static void join_rings(linker *l)
+/* A forest over the lower rings and then the upper. */
+static void join_rings(uint32_t *up, const uint32_t *outer, uint32_t n_lower, uint32_t n_upper, const il_link *link, size_t n)
 {
-    uint32_t n_lower = (uint32_t)l->side[0].slice->n;
-    il_forest_plant(l->up, n_lower + l->side[1].slice->n);
-    for (uint32_t i = 0; i < n_lower; i++)
-        il_forest_join(l->up, i, l->side[0].outer[i]);
-    for (uint32_t i = 0; i < l->side[1].slice->n; i++)
-        il_forest_join(l->up, n_lower + i, n_lower + l->side[1].outer[i]);
-    for (size_t i = 0; i < l->n_links; i++)
-        il_forest_join(l->up, l->link[2 * i], n_lower + l->link[2 * i + 1]);
+    il_forest_plant(up, n_lower + n_upper);
+    for (uint32_t i = 0; i < n_lower + n_upper; i++)
+        il_forest_join(up, i, i < n_lower ? outer[i] : n_lower + outer[i]);
+    for (size_t i = 0; i < n; i++)
+        il_forest_join(up, link[i].lower, n_lower + link[i].upper);
 }
 
 static bool add_ring(uint32_t **list, size_t *n, size_t *cap, uint32_t ring)
@@ -206,14 +259,11 @@ static bool add_ring(uint32_t **list, size_t *n, size_t *cap, uint32_t ring)
 }
 
 /* Leaders are the least of their sets, so they come in the order of groups. */
-static bool make_groups(linker *l)
+static bool make_groups(il_pair *p, uint32_t *up, uint32_t *group_of, uint32_t n_lower, uint32_t n, const il_link *link, size_t n_links)
 {
-    il_pair *p = l->pair;
-    uint32_t n_lower = (uint32_t)l->side[0].slice->n, n = n_lower + (uint32_t)l->side[1].slice->n;
-    uint32_t *group_of = il_alloc(n, sizeof *group_of);
-    bool ok = group_of != NULL;
+    bool ok = true;
     for (uint32_t i = 0; ok && i < n; i++) {
-        uint32_t leader = il_forest_leader(l->up, i);
+        uint32_t leader = il_forest_leader(up, i);
         if (leader == i) {
             ok = il_grow(&p->group, &p->cap_groups, p->n_groups + 1, sizeof *p->group);
             if (!ok)
@@ -225,43 +275,46 @@ static bool make_groups(linker *l)
         ok = i < n_lower ? add_ring(&g->lower, &g->n_lower, &g->cap_lower, i)
                          : add_ring(&g->upper, &g->n_upper, &g->cap_upper, i - n_lower);
     }
-    if (ok && l->n_links > 0)
-        qsort(l->link, l->n_links, 2 * sizeof *l->link, compare_hits);
-    for (size_t i = 0; ok && i < l->n_links; i++) {
-        const uint32_t *at = l->link + 2 * i;
-        il_group *g = &p->group[group_of[il_forest_leader(l->up, at[0])]];
-        if (i > 0 && compare_hits(at, at - 2) == 0)
-            continue;
+    for (size_t i = 0; ok && i < n_links; i++) {
+        il_group *g = &p->group[group_of[il_forest_leader(up, link[i].lower)]];
         ok = il_grow(&g->link, &g->cap_links, g->n_links + 1, sizeof *g->link);
         if (ok)
-            g->link[g->n_links++] = (il_link){ at[0], at[1], IL_LINK_OVERLAP, 0 };
+            g->link[g->n_links++] = link[i];
     }
-    il_free(group_of);
     return ok;
+}
+
+il_status il_link_group(il_pair *pair, const il_slice *lower, const il_slice *upper, const il_link *link, size_t n, il_error *err)
+{
+    uint32_t n_rings = (uint32_t)(lower->n + upper->n);
+    uint32_t *outer = il_alloc(n_rings, sizeof *outer), *up = il_alloc(n_rings, sizeof *up), *group_of = il_alloc(n_rings, sizeof *group_of);
+    il_status st = outer && up && group_of ? il_link_outers(lower, outer, err) : il_fail_nomem(err);
+    if (st == IL_OK)
+        st = il_link_outers(upper, outer + lower->n, err);
+    if (st == IL_OK) {
+        join_rings(up, outer, (uint32_t)lower->n, (uint32_t)upper->n, link, n);
+        if (!make_groups(pair, up, group_of, (uint32_t)lower->n, n_rings, link, n))
+            st = il_fail_nomem(err);
+    }
+    il_free(outer);
+    il_free(up);
+    il_free(group_of);
+    return st;
 }
 
 il_status il_link_slices(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err)
 {
-    linker l = { .pair = pair };
-    l.up = il_alloc(lower->n + upper->n, sizeof *l.up);
-    il_status st = l.up ? edges_take(&l.side[0], lower, err) : il_fail_nomem(err);
+    uint32_t *at = NULL;
+    size_t n = 0;
+    il_status st = il_link_overlaps(lower, upper, &at, &n, err);
+    il_link *link = st == IL_OK ? il_alloc(n, sizeof *link) : NULL;
+    if (st == IL_OK && !link)
+        st = il_fail_nomem(err);
+    for (size_t i = 0; st == IL_OK && i < n; i++)
+        link[i] = (il_link){ at[2 * i], at[2 * i + 1], IL_LINK_OVERLAP, 0 };
     if (st == IL_OK)
-        st = edges_take(&l.side[1], upper, err);
-    for (int k = 0; st == IL_OK && k < 2; k++)
-        st = find_outers(&l.side[k], err);
-    if (st == IL_OK && lower->n > 0 && upper->n > 0) {
-        st = link_meeting(&l, err);
-        for (int k = 0; st == IL_OK && k < 2; k++)
-            st = link_nested(&l, k, err);
-    }
-    if (st == IL_OK) {
-        join_rings(&l);
-        if (!make_groups(&l))
-            st = il_fail_nomem(err);
-    }
-    edges_free(&l.side[0]);
-    edges_free(&l.side[1]);
-    il_free(l.up);
-    il_free(l.link);
+        st = il_link_group(pair, lower, upper, link, n, err);
+    il_free(at);
+    il_free(link);
     return st;
 }

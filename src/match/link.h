@@ -9,11 +9,20 @@
 #include "model/pair.h"
 #include "model/stack.h"
 
-/* Append all groups of the clean slices LOWER and UPPER to PAIR: every ring is in
- * one, rings rising; groups by their first lower ring, behind them those without
- * by their first upper ring.  Links stand between outer rings of overlapping
- * regions; exact.  O(n log n) for contours, after the pairs of edges whose boxes
- * meet.  IL_E_NOMEM: PAIR is only good to be freed. */
+/* outer[n]: of each ring of the clean slice S the outer ring of its region.  IL_E_NOMEM. */
+il_status il_link_outers(const il_slice *s, uint32_t *outer, il_error *err);
+
+/* The regions of the clean slices LOWER and UPPER that overlap or touch, exactly: *LINK, the
+ * caller's to il_free, 2 * *N outer rings, lower and upper, rising, each pair once.
+ * O(n log n) for contours, after the pairs of edges whose boxes meet.  IL_E_NOMEM. */
+il_status il_link_overlaps(const il_slice *lower, const il_slice *upper, uint32_t **link, size_t *n, il_error *err);
+
+/* Append all groups of LOWER and UPPER to PAIR, as link[n] (between outer rings, rising) joins
+ * regions: every ring is in one, rings rising; groups by their first lower ring, behind them
+ * those without by their first upper ring.  IL_E_NOMEM: PAIR is only good to be freed. */
+il_status il_link_group(il_pair *pair, const il_slice *lower, const il_slice *upper, const il_link *link, size_t n, il_error *err);
+
+/* Both, by overlaps alone. */
 il_status il_link_slices(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err);
 
 #endif

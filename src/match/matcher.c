@@ -42,12 +42,14 @@ static int compare_matches(const void *p, const void *q)
 il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il_match_options *o,
                           il_ffd *solver, il_pair *out, il_error *err)
 {
-    *out = (il_pair)IL_PAIR_INIT;
     out->matcher = o->matcher;
     if (o->matcher == IL_MATCHER_NONE)
         return IL_OK; /* the identity: there is nothing to say of it */
     il_image *image = il_calloc(upper->n, sizeof *image);
-    il_status st = image ? il_link_slices(out, lower, upper, err) : il_fail_nomem(err);
+    il_status st = image ? IL_OK : il_fail_nomem(err);
+    if (st == IL_OK && !out->linked)
+        st = il_link_slices(out, lower, upper, err);
+    out->linked = false;
     for (size_t i = 0; st == IL_OK && i < out->n_groups; i++)
         if (out->group[i].n_lower > 0 && out->group[i].n_upper > 0)
             st = il_group_match(out, &out->group[i], lower, upper, solver, o->keep_lattices, image, err);

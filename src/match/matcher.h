@@ -20,7 +20,7 @@ enum { IL_MATCH_WINDOW = 8 };
 
 typedef struct il_ffd il_ffd;
 
-/* Match UPPER onto LOWER, both clean; *OUT is il_pair_INIT before and owned by
+/* Match UPPER onto LOWER, both clean; *OUT is il_pair_INIT before, or linked (model/pair.h), and owned by
  * the caller after, in the unit of the slices, empty after IL_E_NOMEM, the only
  * failure.  SOLVER is lent (ffd.h); null when the matcher is none. */
 il_status il_match_slices(const il_slice *lower, const il_slice *upper, const il_match_options *o,

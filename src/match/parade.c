@@ -102,7 +102,7 @@ void il_parade_push(il_parade *p, il_slice *slice)
 void il_parade_pair(il_parade *p, il_pair *pair)
 {
     il_parade_place *upper = at(p, p->first + p->n - 1);
-    upper->state = pair ? IL_PAIR_SETTLED : IL_PAIR_WAITING;
+    upper->state = pair && !pair->linked ? IL_PAIR_SETTLED : IL_PAIR_WAITING;
     if (pair) {
         upper->pair = *pair;
         *pair = (il_pair)IL_PAIR_INIT;

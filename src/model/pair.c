@@ -36,6 +36,14 @@ bool il_fit_is_trusted(const il_fit *f)
            f->least_jacobian >= IL_SQUEEZE_MOST * growth;
 }
 
+bool il_group_is_trusted(const il_group *g)
+{
+    for (size_t i = 0; i < g->n_links; i++)
+        if (g->link[i].reason != IL_LINK_OVERLAP)
+            return true;
+    return il_fit_is_trusted(&g->fit);
+}
+
 static void free_group(il_group *g)
 {
     il_fit_free(&g->fit);
@@ -53,6 +61,9 @@ void il_pair_free(il_pair *p)
     il_free(p->match);
     il_free(p->unmatched);
     il_free(p->insertion);
+    for (size_t i = 0; i < p->n_cuts; i++)
+        il_free(p->cut[i].xy);
+    il_free(p->cut);
     il_extra_free(&p->extra);
     *p = (il_pair)IL_PAIR_INIT;
 }
@@ -67,5 +78,5 @@ void il_pair_make_gap(il_pair *p)
 
 bool il_pair_names_rings(const il_pair *p)
 {
-    return p->n_groups + p->n_phi + p->n_matches + p->n_unmatched + p->n_insertions > 0;
+    return p->n_groups + p->n_phi + p->n_matches + p->n_unmatched + p->n_insertions + p->n_cuts > 0;
 }

@@ -53,6 +53,15 @@ typedef struct il_insertion {
     double x, y;
 } il_insertion;
 
+/* The line along which the region of outer ring RING is cut, because it goes over into
+ * several: n points xy[2*n], unit, along the medial axis between what it goes over into,
+ * in the plane of its slice; it begins and ends on the region's outline. */
+typedef struct il_cut {
+    bool upper;              /* whose region it is */
+    uint32_t ring;
+    double *xy;              size_t n, cap;
+} il_cut;
+
 typedef enum il_matcher { IL_MATCHER_NONE, IL_MATCHER_FFD } il_matcher;
 
 /* How a group of corresponding rings was settled: see design "attempts". */
@@ -60,9 +69,9 @@ typedef enum il_attempt { IL_ATTEMPT_S, IL_ATTEMPT_P, IL_ATTEMPT_B, IL_N_ATTEMPT
 
 /* Why two rings belong together: their regions overlap; they lie close; the
  * link makes one of two parts that nothing else holds together; a hole and the
- * ring whose outside it opens to. */
+ * ring whose outside it opens to; the user says so. */
 typedef enum il_link_reason {
-    IL_LINK_OVERLAP, IL_LINK_NEAR, IL_LINK_JOIN, IL_LINK_OPENING
+    IL_LINK_OVERLAP, IL_LINK_NEAR, IL_LINK_JOIN, IL_LINK_OPENING, IL_LINK_GIVEN
 } il_link_reason;
 
 /* reach: distance of the outlines as they lie, unit. */
@@ -110,16 +119,18 @@ typedef struct il_group {
  * point for every vertex of the upper slice and more where an edge bends, in
  * order of place.  Rings in no group are groups of their own; no group at all
  * (n_groups 0) means that all rings form one.
+ * linked: groups and links are known, and all else is still to be found.
  * gap: nothing joins the two slices, each is closed where it lies; then there is
  * nothing else to say but private lines. */
 typedef struct il_pair {
-    bool gap;
+    bool gap, linked;
     il_matcher matcher;
     il_group *group;          size_t n_groups, cap_groups;
     il_phi_point *phi;        size_t n_phi, cap_phi;
     il_match *match;          size_t n_matches, cap_matches;
     il_unmatched *unmatched;  size_t n_unmatched, cap_unmatched;
     il_insertion *insertion;  size_t n_insertions, cap_insertions;
+    il_cut *cut;              size_t n_cuts, cap_cuts;
     long line;
     il_extra *extra;
 } il_pair;
@@ -141,6 +152,7 @@ void il_fit_free(il_fit *f);          /* with its lattices; all zero afterwards 
 #define IL_GROWTH_MOST 2.5
 #define IL_SQUEEZE_MOST 0.25
 bool il_fit_is_trusted(const il_fit *f);
+bool il_group_is_trusted(const il_group *g);
 void il_fit_drop_lattices(il_fit *f); /* they alone; `steps` still says how many */
 
 /* Does P name rings or places?  If not, it holds for any two slices. */

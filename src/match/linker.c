@@ -1,0 +1,136 @@
+#include "config.h"
+#include "match/linker.h"
+#include "base/alloc.h"
+#include "match/link.h"
+
+#include <string.h>
+
+/* slice[n], and the pair of slices k - 1 and k in pair[k], if has_pair[k]. */
+typedef struct linker {
+    il_sink sink;
+    il_sink *next;
+    il_linkage_options options;
+    bool is_terrain;
+    il_slice *slice;         size_t n, cap;
+    il_pair *pair;           size_t cap_pairs;
+    unsigned char *has_pair; size_t cap_has;
+} linker;
+
+static void forget(linker *l)
+{
+    for (size_t k = 0; k < l->n; k++) {
+        il_slice_free(&l->slice[k]);
+        il_pair_free(&l->pair[k]);
+    }
+    l->n = 0;
+}
+
+static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
+{
+    linker *l = (linker *)self;
+    forget(l);
+    l->is_terrain = head->kind == IL_KIND_TERRAIN;
+    return l->next->stack_begin(l->next, head, err);
+}
+
+static il_status slice(il_sink *self, il_slice *s, il_error *err)
+{
+    linker *l = (linker *)self;
+    if (l->is_terrain)
+        return l->next->slice(l->next, s, err);
+    if (!il_grow(&l->slice, &l->cap, l->n + 1, sizeof *l->slice) || !il_grow(&l->pair, &l->cap_pairs, l->n + 1, sizeof *l->pair) ||
+        !il_grow(&l->has_pair, &l->cap_has, l->n + 1, 1))
+        return il_fail_nomem(err);
+    l->slice[l->n] = *s;
+    l->pair[l->n] = (il_pair)IL_PAIR_INIT;
+    l->has_pair[l->n++] = 0;
+    *s = (il_slice)IL_SLICE_INIT;
+    return IL_OK;
+}
+
+static il_status pair(il_sink *self, il_pair *p, il_error *err)
+{
+    linker *l = (linker *)self;
+    if (l->is_terrain)
+        return l->next->pair(l->next, p, err);
+    if (l->n < 2 || l->has_pair[l->n - 1])
+        return il_fail(err, IL_E_INPUT, p->line, "a pair record must follow the upper one of its two slices, once");
+    l->pair[l->n - 1] = *p;
+    l->has_pair[l->n - 1] = 1;
+    *p = (il_pair)IL_PAIR_INIT;
+    return IL_OK;
+}
+
+/* The pair below slice K. */
+static il_status make_pair(linker *l, const il_linkage *links, size_t k, il_error *err)
+{
+    il_pair *p = &l->pair[k];
+    p->matcher = IL_MATCHER_FFD;
+    p->linked = true;
+    return il_link_group(p, &l->slice[k - 1], &l->slice[k], links->link + links->first[k - 1],
+                         links->first[k] - links->first[k - 1], err);
+}
+
+static il_status pass_on(linker *l, const il_linkage *links, il_error *err)
+{
+    il_status st = IL_OK;
+    for (size_t k = 0; k < l->n && st == IL_OK; k++) {
+        if (k > 0 && !l->has_pair[k])
+            st = make_pair(l, links, k, err);
+    }
+    for (size_t k = 0; k < l->n && st == IL_OK; k++) {
+        st = l->next->slice(l->next, &l->slice[k], err);
+        if (st == IL_OK && k > 0)
+            st = l->next->pair(l->next, &l->pair[k], err);
+        il_slice_free(&l->slice[k]);
+        il_pair_free(&l->pair[k]);
+    }
+    return st;
+}
+
+static il_status stack_end(il_sink *self, il_error *err)
+{
+    linker *l = (linker *)self;
+    il_linkage links = IL_LINKAGE_INIT;
+    il_status st = IL_OK;
+    if (!l->is_terrain && l->n > 0) {
+        bool *parted = il_alloc(l->n, sizeof *parted);
+        for (size_t k = 0; parted && k < l->n; k++)
+            parted[k] = k + 1 < l->n && l->has_pair[k + 1];
+        st = parted ? il_linkage_find(&links, l->slice, l->n, parted, &l->options, err) : il_fail_nomem(err);
+        il_free(parted);
+        if (st == IL_OK)
+            st = pass_on(l, &links, err);
+        il_linkage_free(&links);
+        forget(l);
+    }
+    return st == IL_OK ? l->next->stack_end(l->next, err) : st;
+}
+
+static il_status end(il_sink *self, il_error *err)
+{
+    linker *l = (linker *)self;
+    return l->next->end(l->next, err);
+}
+
+il_status il_linker_new(il_sink **out, const il_linkage_options *o, il_sink *next, il_error *err)
+{
+    linker *l = il_calloc(1, sizeof *l);
+    *out = l ? &l->sink : NULL;
+    if (!l)
+        return il_fail_nomem(err);
+    *l = (linker){ .sink = { stack_begin, slice, pair, stack_end, end }, .next = next, .options = *o };
+    return IL_OK;
+}
+
+void il_linker_free(il_sink *s)
+{
+    linker *l = (linker *)s;
+    if (!l)
+        return;
+    forget(l);
+    il_free(l->slice);
+    il_free(l->pair);
+    il_free(l->has_pair);
+    il_free(l);
+}

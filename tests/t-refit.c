@@ -118,7 +118,7 @@ static il_pair matched(const il_slice slice[2])
 {
     const il_match_options o = { IL_MATCHER_FFD, false, 1 };
     il_ffd *solver = NULL;
-    il_pair p;
+    il_pair p = IL_PAIR_INIT;
     assert_int_equal(il_ffd_new(&solver, NULL), IL_OK);
     assert_int_equal(il_match_slices(&slice[0], &slice[1], &o, solver, &p, NULL), IL_OK);
     il_ffd_free(solver);

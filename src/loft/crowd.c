@@ -19,25 +19,6 @@ static void free_member(il_member *m)
     memset(m, 0, sizeof *m);
 }
 
-/* A record like the crowd's, of which only phi is its own: vertices stay. */
-static il_status rest(il_crowd *c, il_error *err)
-{
-    const il_section *upper = c->whole[1];
-    il_phi_point *row = il_alloc(upper->n_stations, sizeof *row);
-    size_t n = 0;
-    if (!row)
-        return il_fail_nomem(err);
-    for (size_t i = 0; i < upper->n_stations; i++) {
-        const double *xy = upper->xy + 2 * upper->node_at[i];
-        if (upper->t_at[i] == 0)
-            row[n++] = (il_phi_point){ { upper->ring_at[i], upper->vertex_at[i], 0 }, xy[0], xy[1] };
-    }
-    c->resting = *c->pair;
-    c->resting.phi = row;
-    c->resting.n_phi = n;
-    return il_phi_index(&c->at_rest, &c->resting, upper, err);
-}
-
 il_status il_crowd_gather(il_crowd *c, const il_section *lower, const il_section *upper,
                           const il_pair *pair, bool round_float, il_error *err)
 {
@@ -45,9 +26,7 @@ il_status il_crowd_gather(il_crowd *c, const il_section *lower, const il_section
     *c = (il_crowd){ .whole = { lower, upper }, .pair = pair, .round_float = round_float };
     il_status st = il_groups_find(&c->groups, pair, n_rings, err);
     if (st == IL_OK)
-        st = il_phi_index(&c->phi, pair, upper, err);
-    if (st == IL_OK && c->phi.pair)
-        st = rest(c, err);
+        st = il_follow_begin(&c->follow, pair, upper, c->groups.of[1], err);
     if (st == IL_OK) {
         c->member = il_calloc(c->groups.n, sizeof *c->member);
         st = c->member ? IL_OK : il_fail_nomem(err);
@@ -60,9 +39,7 @@ void il_crowd_free(il_crowd *c)
     for (size_t i = 0; c->member && i < c->groups.n; i++)
         free_member(&c->member[i]);
     il_free(c->member);
-    il_phi_free(&c->phi);
-    il_phi_free(&c->at_rest);
-    il_free(c->resting.phi);
+    il_follow_free(&c->follow);
     il_groups_free(&c->groups);
     memset(c, 0, sizeof *c);
 }
@@ -124,47 +101,47 @@ static bool find_outside(const il_section *lower, const il_section *upper, unsig
     return holes[0] == holes[1];
 }
 
+/* The record, or null when it has no phi that could be used. */
+static const il_pair *record_of(const il_crowd *c)
+{
+    return c->follow.phi.pair ? c->pair : NULL;
+}
+
 /* The matched arcs group by group: group g has match[first[g]] .. match[first[g + 1] - 1]. */
 typedef struct arcs {
     uint32_t *first, *match;
-    bool *trusted; /* [groups] */
 } arcs;
 
-static uint32_t group_of_match(il_crowd *c, const il_match *m)
+static void free_arcs(arcs *a)
 {
-    if (m->lower.from.ring >= c->groups.n_rings[0] || m->upper.from.ring >= c->groups.n_rings[1])
-        return UINT32_MAX;
-    uint32_t a = il_forest_leader(c->groups.up, c->groups.of[0][m->lower.from.ring]);
-    uint32_t b = il_forest_leader(c->groups.up, c->groups.of[1][m->upper.from.ring]);
-    return a == b ? a : UINT32_MAX;
+    il_free(a->first);
+    il_free(a->match);
 }
 
-/* Which groups may follow phi: those of which all that were joined may. */
-static void find_trusted(il_crowd *c, bool *trusted)
+/* The joined group of matched arc I, or UINT32_MAX when it does not hold. */
+static uint32_t group_of_match(il_crowd *c, size_t i)
 {
-    const il_pair *p = c->phi.pair;
-    for (size_t g = 0; g < c->groups.n; g++)
-        trusted[g] = true;
-    for (uint32_t g = 0; p && g < p->n_groups; g++)
-        if (p->group[g].fitted && !il_group_is_trusted(&p->group[g]))
-            trusted[il_forest_leader(c->groups.up, g)] = false;
+    const il_match *m = &c->pair->match[i];
+    if (m->lower.from.ring >= c->groups.n_rings[0] || m->upper.from.ring >= c->groups.n_rings[1])
+        return UINT32_MAX;
+    uint32_t own = c->groups.of[1][m->upper.from.ring];
+    uint32_t a = il_forest_leader(c->groups.up, c->groups.of[0][m->lower.from.ring]), b = il_forest_leader(c->groups.up, own);
+    return a == b && il_follow_holds(&c->follow, i, own) ? a : UINT32_MAX;
 }
 
 /* As the groups are joined now; none without a phi.  Of groups that do not follow
  * phi, the arcs that correspond without it. */
 static il_status list_arcs(il_crowd *c, arcs *a, il_error *err)
 {
-    size_t n = c->phi.pair ? c->phi.pair->n_matches : 0;
+    size_t n = record_of(c) ? c->pair->n_matches : 0;
     a->first = il_calloc(c->groups.n + 2, sizeof *a->first);
     a->match = il_alloc(n, sizeof *a->match);
-    a->trusted = il_alloc(c->groups.n, sizeof *a->trusted);
-    if (!a->first || !a->match || !a->trusted)
+    if (!a->first || !a->match)
         return il_fail_nomem(err);
-    find_trusted(c, a->trusted);
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < n; i++) {
-            uint32_t g = group_of_match(c, &c->phi.pair->match[i]);
-            if (g == UINT32_MAX || c->phi.pair->match[i].as_they_lie == a->trusted[g])
+            uint32_t g = group_of_match(c, i);
+            if (g == UINT32_MAX)
                 continue;
             if (pass == 0)
                 a->first[g + 2]++;
@@ -177,30 +154,25 @@ static il_status list_arcs(il_crowd *c, arcs *a, il_error *err)
     return IL_OK;
 }
 
-/* The fit of group I: its own or that of the first that was joined to it. */
-static const il_fit *fit_of(il_crowd *c, uint32_t i)
+/* The first of the groups joined in I that follows phi, or UINT32_MAX. */
+static uint32_t first_follower(il_crowd *c, uint32_t i)
 {
-    if (!c->phi.pair)
-        return NULL;
-    const il_pair *p = c->phi.pair;
-    for (uint32_t g = i; g < p->n_groups; g++)
-        if (p->group[g].fitted && il_forest_leader(c->groups.up, g) == i)
-            return &p->group[g].fit;
-    return NULL;
+    const il_pair *p = record_of(c);
+    for (uint32_t g = i; p && g < p->n_groups; g++)
+        if (p->group[g].fitted && c->follow.group[g] && il_forest_leader(c->groups.up, g) == i)
+            return g;
+    return UINT32_MAX;
 }
 
 static il_status settle_member(il_crowd *c, uint32_t i, const arcs *a, il_error *err)
 {
     il_member *m = &c->member[i];
-    il_task task = { .lower = section_of(c, m, 0), .upper = section_of(c, m, 1), .phi = c->phi.pair ? &c->phi : NULL,
+    const il_pair *p = record_of(c);
+    uint32_t follower = first_follower(c, i);
+    il_task task = { .lower = section_of(c, m, 0), .upper = section_of(c, m, 1), .phi = p ? &c->follow.phi : NULL,
                      .match = a->match + a->first[i], .n_matches = a->first[i + 1] - a->first[i],
-                     .round_float = c->round_float };
-    if (!a->trusted[i]) {
-        task.phi = &c->at_rest;
-        task.as_they_lie = true;
-    } else if (task.lower->n_stations > 0 && task.upper->n_stations > 0) {
-        task.fit = fit_of(c, i);
-    }
+                     .fit = follower != UINT32_MAX ? &p->group[follower].fit : NULL,
+                     .as_they_lie = p && p->n_groups > 0 && follower == UINT32_MAX, .round_float = c->round_float };
     m->settled = true;
     if (m->node_of[0] && !find_outside(task.lower, task.upper, &task.outside)) {
         m->outcome.attempt = IL_ATTEMPT_B;
@@ -226,7 +198,7 @@ static il_status take_parts(il_crowd *c, size_t i, const il_group_rings list[2],
 
 static il_status settle_members(il_crowd *c, il_error *err)
 {
-    arcs a = { NULL, NULL, NULL };
+    arcs a = { NULL, NULL };
     il_group_rings list[2] = { { NULL, NULL }, { NULL, NULL } };
     bool single = count_leaders(c) == 1;
     il_status st = IL_OK;
@@ -246,9 +218,7 @@ static il_status settle_members(il_crowd *c, il_error *err)
     }
     il_group_rings_free(&list[0]);
     il_group_rings_free(&list[1]);
-    il_free(a.first);
-    il_free(a.match);
-    il_free(a.trusted);
+    free_arcs(&a);
     return st;
 }
 

@@ -7,7 +7,7 @@
 #define IL_LOFT_CROWD_H
 
 #include "loft/attempt.h"
-#include "loft/group.h"
+#include "loft/follow.h"
 
 /* A group at work: its rings as sections of their own, with the numbers that
  * their nodes and stations have in the whole sections (null: the same ones). */
@@ -18,14 +18,11 @@ typedef struct il_member {
     bool settled;
 } il_member;
 
-/* member[groups.n], in use where a group leads others or stands alone.  at_rest:
- * the identity in the manner of phi, for groups whose phi is not trusted
- * (model/pair.h); resting: the record that it is made of. */
+/* member[groups.n], in use where a group leads others or stands alone. */
 typedef struct il_crowd {
     const il_section *whole[2];
     const il_pair *pair;
-    il_phi phi, at_rest;
-    il_pair resting;
+    il_follow follow;
     bool round_float;
     il_groups groups;
     il_member *member;

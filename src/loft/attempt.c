@@ -35,10 +35,10 @@ static il_status judge(il_outcome *out, const il_task *task, bool deformed, il_e
 
 /* Build over the snapped reference and judge. */
 static il_status build_and_judge(il_outcome *out, const il_task *task, const il_reference *r,
-                                 const il_snapped *snapped, double rise, il_error *err)
+                                 const il_snapped *snapped, double rise, bool stars, il_error *err)
 {
     il_overlay o;
-    il_build_options options = { rise, task->round_float };
+    il_build_options options = { rise, stars, task->round_float };
     bool sound = true;
     il_surface_free(&out->surface);
     out->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
@@ -60,10 +60,12 @@ static il_status try_snapped(il_outcome *out, const il_task *task, const il_refe
     il_status st = IL_OK;
     out->verdict = (il_verdict){ IL_FLAW_REFERENCE, { 0, 0, 0 }, 0 };
     for (double rise = 0.5; injective && st == IL_OK && rise > 0.05; rise /= 2) {
-        st = build_and_judge(out, task, r, snapped, rise, err);
+        st = build_and_judge(out, task, r, snapped, rise, false, err);
         if (out->verdict.flaw != IL_FLAW_CROSSING || out->surface.n_inner == 0)
             break; /* without inner points there is no cap */
     }
+    if (st == IL_OK && r->deformed && out->verdict.flaw == IL_FLAW_CROSSING)
+        st = build_and_judge(out, task, r, snapped, 0.5, true, err);
     return st;
 }
 

@@ -83,6 +83,18 @@ static bool number_components(il_heights *h, const il_overlay *o)
     return ok;
 }
 
+/* Contour point P in the plane of its slice, grid units. */
+static void own_point(const il_overlay *o, uint32_t p, int plane, double out[2])
+{
+    const il_snapped *grid = o->snapped;
+    memcpy(out, o->xy + 2 * p, 2 * sizeof *out);
+    if (plane != IL_UPPER || !o->reference->deformed)
+        return;
+    il_overlay_upper_point(o, p, out);
+    for (size_t c = 0; c < 2; c++)
+        out[c] = (out[c] - grid->origin[c]) / grid->cell;
+}
+
 il_status il_heights_build(il_heights *h, const il_overlay *o, il_error *err)
 {
     memset(h, 0, sizeof *h);
@@ -95,8 +107,11 @@ il_status il_heights_build(il_heights *h, const il_overlay *o, il_error *err)
         ok = il_grow(&segment, &cap, n + 1, sizeof *segment);
         if (!ok)
             break;
-        const double *a = o->xy + 2 * o->corner[e], *b = o->xy + 2 * o->corner[e % 3 == 2 ? e - 2 : e + 1];
-        segment[n++] = (il_segment){ a[0], a[1], b[0], b[1], 2 * (size_t)h->component[e / 3] + il_edge_plane(o, e), 0 };
+        double a[2], b[2];
+        int plane = il_edge_plane(o, e);
+        own_point(o, o->corner[e], plane, a);
+        own_point(o, o->corner[e % 3 == 2 ? e - 2 : e + 1], plane, b);
+        segment[n++] = (il_segment){ a[0], a[1], b[0], b[1], 2 * (size_t)h->component[e / 3] + (size_t)plane, 0 };
     }
     if (!ok) {
         il_free(segment);
@@ -133,8 +148,9 @@ il_status il_heights_set(const il_heights *h, il_free_point *p, size_t n, double
         return il_fail_nomem(err);
     }
     for (size_t i = 0; i < n; i++) {
-        for (size_t k = 0; k < 2; k++)
-            d[2 * i + k] = il_nearest_distance(&h->tree, 2 * (size_t)p[i].component + k, p[i].x, p[i].y);
+        size_t class = 2 * (size_t)p[i].component;
+        d[2 * i] = il_nearest_distance(&h->tree, class, p[i].x, p[i].y);
+        d[2 * i + 1] = il_nearest_distance(&h->tree, class + 1, p[i].x + p[i].shift[0], p[i].y + p[i].shift[1]);
         double least = fmin(d[2 * i], d[2 * i + 1]);
         d_max[p[i].component] = fmax(d_max[p[i].component], least);
     }

@@ -28,12 +28,14 @@ void il_heights_free(il_heights *h);
 /* A point of a sheet: xy in grid units, its component, and what becomes of it. */
 typedef struct il_free_point {
     double x, y;
+    double shift[2];      /* what takes it back to the upper slice, grid units */
     uint32_t component;
     double z;             /* 0 in the lower plane, 1 in the upper */
 } il_free_point;
 
 /* Set z of all N points: d_L / (d_L + d_U) with the distances to the component's
- * edges in either plane.  A component with edges in one plane only is a cap: a
+ * edges, each in its own slice: that in the upper from where the point is taken back to,
+ * for what phi pulls apart or presses together is not near or far in truth.  A component with edges in one plane only is a cap: a
  * dome of height RISE, z = RISE sqrt(1 - (1 - d / d_max)^2) over the lower
  * plane and one minus that under the upper, where d_max is the largest of the
  * component's points.  Never nearer to a plane than 1/1024 of the slab. */

@@ -5,11 +5,11 @@
 #include "loft/overlay.h"
 #include "loft/surface.h"
 
-/* rise: height of caps as a part of the slab (axis.h).  round_float: positions
- * are rounded to 32-bit floats. */
+/* rise: height of caps as a part of the slab (axis.h).  stars: discs between both planes are
+ * built round one point (star.h).  round_float: positions are rounded to 32-bit floats. */
 typedef struct il_build_options {
     double rise;
-    bool round_float;
+    bool stars, round_float;
 } il_build_options;
 
 /* The overlay, what is made of it, and for each side and contour point the

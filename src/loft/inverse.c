@@ -8,20 +8,6 @@
 
 /* ---- points ---- */
 
-/* The real point of the upper slice that stands at contour point P. */
-static void real_point(const il_overlay *o, uint32_t p, double out[2])
-{
-    const il_pass *pass = &o->pass[IL_UPPER][p];
-    const il_section *s = o->reference->section[IL_UPPER];
-    if (pass->node >= 0) {
-        memcpy(out, s->xy + 2 * pass->node, 2 * sizeof *out);
-        return;
-    }
-    const double *a = s->xy + 2 * s->node_at[pass->station], *b = s->xy + 2 * s->node_at[s->next[pass->station]];
-    out[0] = a[0] + pass->t * (b[0] - a[0]);
-    out[1] = a[1] + pass->t * (b[1] - a[1]);
-}
-
 static void add_point(il_inverse *v, double x, double y, double dx, double dy)
 {
     v->xy[2 * v->n] = x, v->xy[2 * v->n + 1] = y;
@@ -38,7 +24,7 @@ static void add_ring_points(il_inverse *v, const il_overlay *o, uint32_t *number
             continue;
         double at[2], real[2];
         il_snapped_point(o->snapped, p, at);
-        real_point(o, p, real);
+        il_overlay_upper_point(o, p, real);
         number[p] = (uint32_t)v->n;
         add_point(v, o->xy[2 * p], o->xy[2 * p + 1], real[0] - at[0], real[1] - at[1]);
     }

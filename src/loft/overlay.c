@@ -203,3 +203,16 @@ void il_overlay_free(il_overlay *o)
     il_free(o->edge);
     memset(o, 0, sizeof *o);
 }
+
+void il_overlay_upper_point(const il_overlay *o, uint32_t p, double out[2])
+{
+    const il_pass *pass = &o->pass[IL_UPPER][p];
+    const il_section *s = o->reference->section[IL_UPPER];
+    if (pass->node >= 0) {
+        memcpy(out, s->xy + 2 * pass->node, 2 * sizeof *out);
+        return;
+    }
+    const double *a = s->xy + 2 * s->node_at[pass->station], *b = s->xy + 2 * s->node_at[s->next[pass->station]];
+    out[0] = a[0] + pass->t * (b[0] - a[0]);
+    out[1] = a[1] + pass->t * (b[1] - a[1]);
+}

@@ -58,6 +58,9 @@ void il_overlay_free(il_overlay *o);
 /* What the edge from contour point A to B is: IL_EDGE_… flags in this direction. */
 unsigned char il_overlay_edge(const il_overlay *o, uint32_t a, uint32_t b);
 
+/* The point of the upper slice that stands at contour point P, which the upper side passes. */
+void il_overlay_upper_point(const il_overlay *o, uint32_t p, double out[2]);
+
 /* Is triangle T part of the surface? */
 static inline bool il_overlay_is_sheet(const il_overlay *o, uint32_t t)
 {

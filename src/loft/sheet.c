@@ -8,6 +8,7 @@
 #include "loft/builder.h"
 #include "loft/inverse.h"
 #include "loft/polygon.h"
+#include "loft/star.h"
 #include "base/alloc.h"
 #include "base/number.h"
 
@@ -22,13 +23,14 @@ typedef struct sheets {
     uint32_t *code;           /* [n_free] their codes, once they have heights */
     uint32_t *middle;         /* [3*n_triangles] free point on the edge, or IL_NONE */
     uint32_t *centre;         /* [n_triangles] free point of a star, or IL_NONE */
+    bool *done;               /* [components] built as stars */
 } sheets;
 
 static bool add_free(sheets *s, double x, double y, uint32_t component, uint32_t *id)
 {
     if (!il_grow(&s->free, &s->cap_free, s->n_free + 1, sizeof *s->free))
         return false;
-    s->free[s->n_free] = (il_free_point){ x, y, component, 0 };
+    s->free[s->n_free] = (il_free_point){ x, y, { 0, 0 }, component, 0 };
     *id = (uint32_t)s->n_free++;
     return true;
 }
@@ -128,43 +130,52 @@ static bool add_centres(sheets *s)
     return true;
 }
 
-/* Where free point F lies in space: psi_z(p) = (1 - z) p + z phi^-1(p). */
-static void lift(const sheets *s, il_inverse *inverse, const il_free_point *f, double xyz[3])
-{
-    const il_snapped *grid = s->b->o->snapped;
-    const double at[2] = { f->x, f->y };
-    double shift[2];
-    for (int k = 0; k < 2; k++)
-        xyz[k] = grid->origin[k] + grid->cell * at[k];
-    if (s->b->o->reference->deformed) {
-        il_inverse_shift(inverse, at, shift);
-        xyz[0] += f->z * shift[0];
-        xyz[1] += f->z * shift[1];
-    }
-    for (int k = 0; k < 2 && s->b->options.round_float; k++)
-        xyz[k] = il_number_round_float(xyz[k]);
-    xyz[2] = il_builder_height(s->b, f->z);
-}
-
-/* Most slabs have none: the inverse is built for those that do. */
-static il_status lift_free_points(sheets *s, il_error *err)
+/* What takes the free points back to the upper slice.  Most slabs have none: the inverse is
+ * built for those that do. */
+static il_status take_back(sheets *s, il_error *err)
 {
     il_inverse inverse = { 0 };
-    il_status st = IL_OK;
-    if (s->n_free > 0 && s->b->o->reference->deformed)
-        st = il_inverse_build(&inverse, s->b->o, err);
-    s->code = st == IL_OK ? il_alloc(s->n_free, sizeof *s->code) : NULL;
-    if (st == IL_OK && !s->code)
-        st = il_fail_nomem(err);
+    if (s->n_free == 0 || !s->b->o->reference->deformed)
+        return IL_OK;
+    il_status st = il_inverse_build(&inverse, s->b->o, err);
     for (size_t i = 0; st == IL_OK && i < s->n_free; i++) {
-        double xyz[3];
-        lift(s, &inverse, &s->free[i], xyz);
-        s->code[i] = il_surface_add_inner(s->b->out, xyz);
-        if (s->code[i] == UINT32_MAX)
-            st = il_fail_nomem(err);
+        il_free_point *f = &s->free[i];
+        il_inverse_shift(&inverse, (const double[2]){ f->x, f->y }, f->shift);
+        for (size_t k = 0; k < 2; k++)
+            f->shift[k] /= s->b->o->snapped->cell;
     }
     il_inverse_free(&inverse);
     return st;
+}
+
+/* Where free point F lies in space: psi_z(p) = (1 - z) p + z phi^-1(p). */
+static void lift(const sheets *s, const il_free_point *f, double xyz[3])
+{
+    const il_snapped *grid = s->b->o->snapped;
+    const double at[2] = { f->x, f->y };
+    for (int k = 0; k < 2; k++) {
+        xyz[k] = grid->origin[k] + grid->cell * at[k];
+        xyz[k] += f->z * f->shift[k] * grid->cell;
+        xyz[k] = s->b->options.round_float ? il_number_round_float(xyz[k]) : xyz[k];
+    }
+    xyz[2] = il_builder_height(s->b, f->z);
+}
+
+static il_status lift_free_points(sheets *s, il_error *err)
+{
+    s->code = il_alloc(s->n_free, sizeof *s->code);
+    if (!s->code)
+        return il_fail_nomem(err);
+    for (size_t i = 0; i < s->n_free; i++) {
+        double xyz[3];
+        if (s->done[s->free[i].component])
+            continue;
+        lift(s, &s->free[i], xyz);
+        s->code[i] = il_surface_add_inner(s->b->out, xyz);
+        if (s->code[i] == UINT32_MAX)
+            return il_fail_nomem(err);
+    }
+    return IL_OK;
 }
 
 static uint32_t code_of(const sheets *s, const il_polygon_vertex *v)
@@ -216,18 +227,23 @@ static bool prepare(sheets *s)
 
 il_status il_build_sheets(il_builder *b, il_error *err)
 {
-    sheets s = { b, { NULL, NULL }, { 0 }, NULL, 0, 0, NULL, NULL, NULL };
+    sheets s = { .b = b };
     il_status st = il_axis_insert(b->o, &s.labels, err);
     if (st == IL_OK)
         st = il_heights_build(&s.heights, b->o, err);
-    if (st == IL_OK && !prepare(&s))
+    s.done = st == IL_OK ? il_calloc(s.heights.n_components, sizeof *s.done) : NULL;
+    if (st == IL_OK && (!s.done || !prepare(&s)))
         st = il_fail_nomem(err);
+    if (st == IL_OK && b->options.stars)
+        st = il_build_stars(b, s.heights.component, s.heights.n_components, s.done, err);
+    if (st == IL_OK)
+        st = take_back(&s, err);
     if (st == IL_OK)
         st = il_heights_set(&s.heights, s.free, s.n_free, b->options.rise, err);
     if (st == IL_OK)
         st = lift_free_points(&s, err);
     for (uint32_t t = 0; st == IL_OK && t < b->o->n_triangles; t++)
-        if (il_overlay_is_sheet(b->o, t) && !emit_triangle(&s, t))
+        if (il_overlay_is_sheet(b->o, t) && !s.done[s.heights.component[t]] && !emit_triangle(&s, t))
             st = il_fail_nomem(err);
     il_labels_free(&s.labels);
     il_heights_free(&s.heights);
@@ -235,5 +251,6 @@ il_status il_build_sheets(il_builder *b, il_error *err)
     il_free(s.code);
     il_free(s.middle);
     il_free(s.centre);
+    il_free(s.done);
     return st;
 }

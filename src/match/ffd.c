@@ -302,7 +302,8 @@ static const float NEARER = 0.7f, TURN_WORTHWHILE = 2;
 
 /* The starts to try into START: as the slices lie, for contours that overlap move
  * along their normals then; by moments; turned. */
-static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outline *upper, il_global start[3], int *n, il_error *err)
+static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outline *upper, bool turns,
+                               il_global start[3], int *n, il_error *err)
 {
     il_global g;
     float best, rms;
@@ -316,7 +317,7 @@ static il_status choose_starts(il_ffd *f, const il_outline *lower, const il_outl
             best = rms;
         }
     }
-    if (st == IL_OK && best > TURN_WORTHWHILE && il_global_with_turn(lower, upper, &g)) {
+    if (st == IL_OK && turns && best > TURN_WORTHWHILE && il_global_with_turn(lower, upper, &g)) {
         st = forward_rms(f, &g, &rms, err);
         if (st == IL_OK && rms < best)
             start[(*n)++] = g;
@@ -403,7 +404,7 @@ double il_ffd_spacing(const il_outline *lower, const il_outline *upper)
 }
 
 il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upper,
-                       uint32_t cells_x, uint32_t cells_y, il_fit *fit, il_error *err)
+                       uint32_t cells_x, uint32_t cells_y, bool turns, il_fit *fit, il_error *err)
 {
     il_global starts[3];
     int n_starts = 0;
@@ -417,7 +418,7 @@ il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upp
     if (st == IL_OK)
         st = il_samples_take(&f->upper, upper, f->sample_spacing, err);
     if (st == IL_OK)
-        st = choose_starts(f, lower, upper, starts, &n_starts, err);
+        st = choose_starts(f, lower, upper, turns, starts, &n_starts, err);
     if (st == IL_OK)
         st = climb(f, starts, n_starts, err);
     if (st == IL_OK)
@@ -436,6 +437,11 @@ il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upp
         il_fit_free(fit);
     }
     return st;
+}
+
+il_status il_ffd_show(il_ffd *f, const il_outline *lower, uint32_t cells_x, uint32_t cells_y, il_error *err)
+{
+    return il_distance_begin(&f->map, lower->xy, lower->next, lower->n, cells_x, cells_y, err);
 }
 
 il_foot il_ffd_foot(il_ffd *f, double x, double y)

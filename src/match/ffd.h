@@ -30,10 +30,13 @@ double il_ffd_spacing(const il_outline *lower, const il_outline *upper);
 /* Find phi, which takes UPPER to LOWER, both inside [0, cells_x] x [0, cells_y]
  * with the margin that il_frame leaves.  *FIT (empty before; il_fit_free) gets
  * the residuals, the least Jacobian, the distortion, the global step and the
- * lattices, all in cells.  Same bits on every processor.  The only failure is
+ * lattices, all in cells.  TURNS: starts from a turn are tried too.  Same bits on every processor.  The only failure is
  * want of memory: how good phi is, the figures tell. */
 il_status il_ffd_solve(il_ffd *f, const il_outline *lower, const il_outline *upper,
-                       uint32_t cells_x, uint32_t cells_y, il_fit *fit, il_error *err);
+                       uint32_t cells_x, uint32_t cells_y, bool turns, il_fit *fit, il_error *err);
+
+/* As if LOWER had been solved for: its map, for il_ffd_foot and il_ffd_maps.  IL_E_NOMEM. */
+il_status il_ffd_show(il_ffd *f, const il_outline *lower, uint32_t cells_x, uint32_t cells_y, il_error *err);
 
 /* After il_ffd_solve: the point of the lower contours nearest to (x, y), cells. */
 il_foot il_ffd_foot(il_ffd *f, double x, double y);

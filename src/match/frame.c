@@ -7,7 +7,7 @@
 
 static const double MARGIN = 0.15;
 
-static void extend(double box[4], const il_slice *s, const uint32_t *ring, size_t n)
+void il_frame_extend(double box[4], const il_slice *s, const uint32_t *ring, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 2 * s->ring[ring[i]].n; k++) {
@@ -20,8 +20,13 @@ static void extend(double box[4], const il_slice *s, const uint32_t *ring, size_
 il_frame il_frame_about(const il_group *g, const il_slice *lower, const il_slice *upper)
 {
     double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
-    extend(box, lower, g->lower, g->n_lower);
-    extend(box, upper, g->upper, g->n_upper);
+    il_frame_extend(box, lower, g->lower, g->n_lower);
+    il_frame_extend(box, upper, g->upper, g->n_upper);
+    return il_frame_over(box);
+}
+
+il_frame il_frame_over(const double box[4])
+{
     double width = box[2] - box[0], height = box[3] - box[1], longer = fmax(width, height);
     il_frame f = { box[0], box[1], 1, 0, 0, 0 };
     /* the least power of two that makes (1 + 2 MARGIN) longer at most 254 cells:

@@ -18,6 +18,12 @@ typedef struct il_frame {
  * frame cannot be moved freely there (2.4 cells off instead of 0.3). */
 il_frame il_frame_about(const il_group *g, const il_slice *lower, const il_slice *upper);
 
+/* BOX (least x and y, greatest x and y) so as to hold the rings ring[n] of S. */
+void il_frame_extend(double box[4], const il_slice *s, const uint32_t *ring, size_t n);
+
+/* Likewise of what lies in BOX. */
+il_frame il_frame_over(const double box[4]);
+
 /* Is F so near to the bound of coordinates that images, or the shift of a global
  * step, can lie beyond?  That shift is x - A x with factors up to 64 in A (global.h),
  * and some room.  Slices are then taken as they lie. */

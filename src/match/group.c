@@ -4,19 +4,16 @@
 #include "match/group.h"
 #include "base/alloc.h"
 #include "match/correspond.h"
+#include "match/divide.h"
 #include "match/frame.h"
 #include "match/residual.h"
-#include "model/lattice.h"
+#include "match/rows.h"
 
 #include <math.h>
 #include <string.h>
 
-/* An edge's image is broken where its chord is further off than this, in cells.
- * What is short before and after is taken for straight; of what is long before
- * or after, in cells or in spacings of points, the middle alone does not tell. */
-static const double CHORD = 0.5, SHORT = 2, LONG = 16, LONG_SPACINGS = 10;
-
 typedef struct group_match {
+    const il_group_work *work;
     il_pair *pair;
     il_group *group;
     const il_slice *slice[2];
@@ -28,9 +25,7 @@ typedef struct group_match {
     double spacing;            /* of the points of courses */
     il_fit fit;                /* in cells */
     il_course course[2];
-    il_image *image;           /* of the slice's rings */
-    il_course_row *row;        /* the image of one ring, cells */
-    size_t n_rows, cap_rows;
+    il_rows rows;              /* the image of one ring, cells */
     il_correspondence found;
 } group_match;
 
@@ -42,7 +37,7 @@ static void release(group_match *m)
         il_course_free(&m->course[k]);
     }
     il_fit_free(&m->fit);
-    il_free(m->row);
+    il_free(m->rows.row);
     il_correspondence_free(&m->found);
 }
 
@@ -72,7 +67,7 @@ static il_status solve(group_match *m, il_error *err)
         return st;
     il_outline lower = outline(m, 0), upper = outline(m, 1);
     m->spacing = il_ffd_spacing(&lower, &upper);
-    st = il_ffd_solve(m->solver, &lower, &upper, m->frame.cells_x, m->frame.cells_y, &m->fit, err);
+    st = il_ffd_solve(m->solver, &lower, &upper, m->frame.cells_x, m->frame.cells_y, true, &m->fit, err);
     if (st == IL_OK && il_frame_is_far(&m->frame))
         stay(&m->fit);
     return st;
@@ -80,61 +75,27 @@ static il_status solve(group_match *m, il_error *err)
 
 /* ---- the image of a ring ---- */
 
-static bool add_row(group_match *m, uint32_t vertex, double t, const double p[2])
-{
-    if (!il_grow(&m->row, &m->cap_rows, m->n_rows + 1, sizeof *m->row))
-        return false;
-    m->row[m->n_rows++] = (il_course_row){ vertex, t, p[0], p[1] };
-    return true;
-}
-
-/* The part [T0, T1) of the edge from A to B, whose ends' images are P and Q: halve it
- * while the image of the middle lies off the chord.  DEPTH halvings at most. */
-static bool add_part(group_match *m, uint32_t vertex, const double a[2], const double b[2],
-                     double t0, const double p[2], double t1, const double q[2], int depth)
-{
-    double length = hypot(b[0] - a[0], b[1] - a[1]) * (t1 - t0);
-    length = fmax(length, hypot(q[0] - p[0], q[1] - p[1]));
-    if (depth == 0 || length < SHORT)
-        return add_row(m, vertex, t0, p);
-    double t = (t0 + t1) / 2, middle[2] = { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]) };
-    il_fit_apply(&m->fit, middle, 1);
-    double off = hypot(middle[0] - (p[0] + q[0]) / 2, middle[1] - (p[1] + q[1]) / 2);
-    if (off <= CHORD && length <= fmax(LONG, LONG_SPACINGS * m->spacing))
-        return add_row(m, vertex, t0, p);
-    return add_part(m, vertex, a, b, t0, p, t, middle, depth - 1) &&
-           add_part(m, vertex, a, b, t, middle, t1, q, depth - 1);
-}
-
-/* Vertices BEGIN .. BEGIN + N of the upper outline, to m->row. */
+/* Vertices BEGIN .. BEGIN + N of the upper outline, to m->rows. */
 static il_status map_ring(group_match *m, size_t begin, size_t n, il_error *err)
 {
+    const il_bend bend = il_bend_of_fit(&m->fit, 1, m->spacing);
     const double *xy = m->xy[1] + 2 * begin;
-    double *image = il_alloc(n, 2 * sizeof *image);
-    bool ok = image != NULL;
-    m->n_rows = 0;
-    if (ok) {
-        memcpy(image, xy, 2 * n * sizeof *image);
-        il_fit_apply(&m->fit, image, n);
-    }
-    for (size_t k = 0; ok && k < n; k++) {
-        size_t w = k + 1 < n ? k + 1 : 0;
-        ok = m->fit.n_lattices == 0 ? add_row(m, (uint32_t)k, 0, image + 2 * k)
-                                    : add_part(m, (uint32_t)k, xy + 2 * k, xy + 2 * w, 0, image + 2 * k, 1, image + 2 * w, 8);
-    }
-    il_free(image);
-    return ok ? IL_OK : il_fail_nomem(err);
+    m->rows.n = 0;
+    for (size_t k = 0; k < n; k++)
+        if (!il_rows_add_part(&m->rows, &bend, (uint32_t)k, xy + 2 * k, xy + 2 * (k + 1 < n ? k + 1 : 0), 0, 1))
+            return il_fail_nomem(err);
+    return IL_OK;
 }
 
 /* The rows in the stack's unit: each place and how far phi moves it, so that what
  * does not move stays where it is to the last bit. */
-static il_status note_image(group_match *m, il_image *to, const il_ring *ring, size_t begin, il_error *err)
+static il_status note_image(group_match *m, il_rows *to, const il_ring *ring, size_t begin, il_error *err)
 {
-    if (!il_grow(&to->row, &to->cap, m->n_rows, sizeof *to->row))
+    if (!il_grow(&to->row, &to->cap, m->rows.n, sizeof *to->row))
         return il_fail_nomem(err);
     const double *xy = m->xy[1] + 2 * begin;
-    for (size_t k = 0; k < m->n_rows; k++) {
-        const il_course_row *r = &m->row[k];
+    for (size_t k = 0; k < m->rows.n; k++) {
+        const il_course_row *r = &m->rows.row[k];
         size_t v = r->vertex, w = v + 1 < ring->n ? v + 1 : 0;
         double was[2], is[2];
         for (size_t c = 0; c < 2; c++) {
@@ -143,7 +104,7 @@ static il_status note_image(group_match *m, il_image *to, const il_ring *ring, s
         }
         to->row[k] = (il_course_row){ r->vertex, r->t, was[0] + m->frame.cell * (r->x - is[0]), was[1] + m->frame.cell * (r->y - is[1]) };
     }
-    to->n = m->n_rows;
+    to->n = m->rows.n;
     return IL_OK;
 }
 
@@ -157,9 +118,9 @@ static il_status map_upper(group_match *m, il_error *err)
         const il_ring *ring = &m->slice[1]->ring[g->upper[i]];
         st = map_ring(m, begin, ring->n, err);
         if (st == IL_OK)
-            st = il_course_add(&m->course[1], m->xy[1] + 2 * begin, ring->n, m->row, m->n_rows, err);
+            st = il_course_add(&m->course[1], m->xy[1] + 2 * begin, ring->n, m->rows.row, m->rows.n, err);
         if (st == IL_OK)
-            st = note_image(m, &m->image[g->upper[i]], ring, begin, err);
+            st = note_image(m, &m->work->image[g->upper[i]], ring, begin, err);
         begin += ring->n;
     }
     if (st == IL_OK)
@@ -244,22 +205,96 @@ static void record_fit(group_match *m, bool keep_lattices)
         il_fit_drop_lattices(&g->fit);
 }
 
-il_status il_group_match(il_pair *pair, il_group *g, const il_slice *lower, const il_slice *upper,
-                         il_ffd *solver, bool keep_lattices, il_image *image, il_error *err)
+/* One phi for the whole group. */
+static il_status match_whole(group_match *m, il_error *err)
 {
-    group_match m = { .pair = pair, .group = g, .slice = { lower, upper }, .solver = solver, .image = image };
-    il_status st = solve(&m, err);
+    il_status st = solve(m, err);
+    return st == IL_OK ? map_upper(m, err) : st;
+}
+
+/* ---- a divided group ---- */
+
+static il_frame frame_over_images(const group_match *m)
+{
+    const il_group *g = m->group;
+    double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
+    il_frame_extend(box, m->slice[0], g->lower, g->n_lower);
+    for (size_t i = 0; i < g->n_upper; i++) {
+        const il_rows *image = &m->work->image[g->upper[i]];
+        for (size_t k = 0; k < image->n; k++) {
+            box[0] = fmin(box[0], image->row[k].x), box[2] = fmax(box[2], image->row[k].x);
+            box[1] = fmin(box[1], image->row[k].y), box[3] = fmax(box[3], image->row[k].y);
+        }
+    }
+    return il_frame_over(box);
+}
+
+/* The images that are there, as the course of the upper rings. */
+static il_status take_images(group_match *m, il_error *err)
+{
+    const il_group *g = m->group;
+    il_status st = IL_OK;
+    size_t begin = 0;
+    m->course[1].spacing = m->spacing;
+    for (size_t i = 0; st == IL_OK && i < g->n_upper; i++) {
+        const il_rows *image = &m->work->image[g->upper[i]];
+        size_t n = m->slice[1]->ring[g->upper[i]].n;
+        m->rows.n = 0;
+        for (size_t k = 0; st == IL_OK && k < image->n; k++) {
+            double p[2] = { image->row[k].x, image->row[k].y }, cells[2];
+            il_frame_to_cells(&m->frame, p, cells);
+            if (!il_rows_add(&m->rows, image->row[k].vertex, image->row[k].t, cells))
+                st = il_fail_nomem(err);
+        }
+        if (st == IL_OK)
+            st = il_course_add(&m->course[1], m->xy[1] + 2 * begin, n, m->rows.row, m->rows.n, err);
+        begin += n;
+    }
     if (st == IL_OK)
-        st = map_upper(&m, err);
+        il_course_set_normals(&m->course[1]);
+    return st;
+}
+
+/* A phi for each link; *DONE unless the group cannot be divided. */
+static il_status match_divided(group_match *m, bool *done, il_error *err)
+{
+    const il_group *g = m->group;
+    il_status st = il_group_divide(m->pair, g, m->slice, m->work->outer, m->solver, m->work->image, &m->fit, done, err);
+    if (st != IL_OK || !*done)
+        return st;
+    m->frame = frame_over_images(m);
+    m->fit.global[4] /= m->frame.cell;
+    m->fit.global[5] /= m->frame.cell;
+    m->fit.box[2] = m->frame.cells_x;
+    m->fit.box[3] = m->frame.cells_y;
+    for (int k = 0; st == IL_OK && k < 2; k++)
+        st = il_frame_outline(&m->frame, m->slice[k], k == 0 ? g->lower : g->upper, k == 0 ? g->n_lower : g->n_upper,
+                              &m->xy[k], &m->next[k], &m->n[k], err);
+    if (st != IL_OK)
+        return st;
+    il_outline lower = outline(m, 0), upper = outline(m, 1);
+    m->spacing = il_ffd_spacing(&lower, &upper);
+    st = il_ffd_show(m->solver, &lower, m->frame.cells_x, m->frame.cells_y, err);
+    return st == IL_OK ? take_images(m, err) : st;
+}
+
+il_status il_group_match(const il_group_work *w, il_group *g, il_error *err)
+{
+    group_match m = { .work = w, .pair = w->pair, .group = g, .slice = { w->slice[0], w->slice[1] }, .solver = w->solver };
+    bool divided = false;
+    il_status st = w->outer[0] && il_group_is_divisible(g) ? match_divided(&m, &divided, err) : IL_OK;
+    if (st == IL_OK && !divided)
+        st = match_whole(&m, err);
     if (st == IL_OK)
         st = lay(&m, 0, &m.course[0], err);
     if (st == IL_OK)
-        st = il_residuals_measure(&m.fit, &m.course[0], &m.course[1], solver, err);
+        st = il_residuals_measure(&m.fit, &m.course[0], &m.course[1], m.solver, err);
     if (st == IL_OK)
-        st = il_correspond(&m.found, &m.course[0], &m.course[1], false, solver, err);
+        st = il_correspond(&m.found, &m.course[0], &m.course[1], false, m.solver, err);
     if (st == IL_OK && !record_arcs(&m))
         st = il_fail_nomem(err);
-    if (st == IL_OK) record_fit(&m, keep_lattices);
+    if (st == IL_OK)
+        record_fit(&m, w->keep_lattices);
     if (st == IL_OK && !il_group_is_trusted(g))
         st = match_as_they_lie(&m, err);
     release(&m);

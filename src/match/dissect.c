@@ -1,0 +1,475 @@
+#include "config.h"
+#include "match/dissect.h"
+#include "base/alloc.h"
+#include "base/keymap.h"
+#include "bridge/triangulation.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* So many points of the grid across a region as broad as long. */
+static const double ACROSS = 20;
+
+/* No piece has less than this part of an equal share, for it has to hold a ring. */
+static const double LEAST_SHARE = 0.2;
+
+void il_piece_free(il_piece *p)
+{
+    il_free(p->xy);
+    il_free(p->next);
+    *p = (il_piece){ 0 };
+}
+
+il_outline il_piece_outline(const il_piece *p)
+{
+    return (il_outline){ p->xy, p->next, p->n };
+}
+
+void il_dissection_free(il_dissection *d)
+{
+    il_free(d->site);
+    il_free(d->weight);
+    il_free(d->xy);
+    il_free(d->corner);
+    il_free(d->across);
+    il_free(d->inside);
+    il_free(d->side);
+    *d = (il_dissection){ .n = 0 };
+}
+
+/* ---- the cells ---- */
+
+/* How much less the power of site K at P is than that of site I, over twice the distance of the
+ * two: how far P is beyond the cut between them. */
+static double beyond(const il_dissection *d, size_t i, size_t k, const double p[2])
+{
+    const double *a = d->site + 2 * i, *b = d->site + 2 * k;
+    double dx = b[0] - a[0], dy = b[1] - a[1], along = dx * (2 * p[0] - a[0] - b[0]) + dy * (2 * p[1] - a[1] - b[1]);
+    return (along + d->weight[k] - d->weight[i]) / (2 * hypot(dx, dy));
+}
+
+static double side_at(const il_dissection *d, size_t i, const double cell[2], size_t *rival)
+{
+    double most = -INFINITY;
+    for (size_t k = 0; k < d->n; k++) {
+        double out = k == i ? -INFINITY : beyond(d, i, k, cell);
+        if (out > most) {
+            most = out;
+            if (rival)
+                *rival = k;
+        }
+    }
+    return -most;
+}
+
+double il_dissection_side(const il_dissection *d, size_t i, const double p[2], size_t *rival)
+{
+    double cell[2];
+    il_frame_to_cells(&d->frame, p, cell);
+    return side_at(d, i, cell, rival);
+}
+
+static double *in_cells(const il_frame *f, const double *from, size_t n)
+{
+    double *xy = il_alloc(n, 2 * sizeof *xy);
+    for (size_t k = 0; xy && k < n; k++)
+        il_frame_to_cells(f, from + 2 * k, xy + 2 * k);
+    return xy;
+}
+
+/* No two sites at one place, as the cells see it. */
+static bool sites_differ(const il_dissection *d)
+{
+    for (size_t i = 0; i < d->n; i++)
+        for (size_t k = 0; k < i; k++)
+            if (!(hypot(d->site[2 * i] - d->site[2 * k], d->site[2 * i + 1] - d->site[2 * k + 1]) > 1e-3))
+                return false;
+    return true;
+}
+
+/* ---- the grid ---- */
+
+static void extend(double box[4], const double *xy, size_t n)
+{
+    for (size_t k = 0; k < 2 * n; k++) {
+        box[k % 2] = fmin(box[k % 2], xy[k]);
+        box[k % 2 + 2] = fmax(box[k % 2 + 2], xy[k]);
+    }
+}
+
+static double area_of(const double *xy, const uint32_t *next, size_t n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) {
+        const double *a = xy + 2 * i, *b = xy + 2 * next[i];
+        sum += (a[0] - xy[0]) * (b[1] - xy[1]) - (b[0] - xy[0]) * (a[1] - xy[1]);
+    }
+    return sum / 2;
+}
+
+/* Point (X, Y), unless there is one there already: false without memory. */
+static bool add_point(il_dissection *d, il_keymap *at, double x, double y, bool *is_new)
+{
+    uint32_t *known = il_keymap_put(at, il_keymap_double(x), il_keymap_double(y), (uint32_t)d->n_points);
+    if (!known || !il_grow(&d->xy, &d->cap_points, 2 * (d->n_points + 1), sizeof *d->xy))
+        return false;
+    *is_new = *known == d->n_points;
+    d->xy[2 * d->n_points] = x;
+    d->xy[2 * d->n_points + 1] = y;
+    d->n_points += *is_new;
+    return true;
+}
+
+typedef struct grid {
+    il_dissection *d;
+    il_keymap at;
+    uint32_t *edge;          size_t n_edges, cap_edges; /* [2*n_edges], the region on the left */
+    double step;
+} grid;
+
+static bool add_edge(grid *g, uint32_t a, uint32_t b)
+{
+    if (!il_grow(&g->edge, &g->cap_edges, 2 * (g->n_edges + 1), sizeof *g->edge))
+        return false;
+    g->edge[2 * g->n_edges] = a;
+    g->edge[2 * g->n_edges++ + 1] = b;
+    return true;
+}
+
+/* The outline xy[2*n], no part of an edge longer than the step. */
+static bool add_outline(grid *g, const double *xy, const uint32_t *next, size_t n, bool *sound)
+{
+    bool is_new;
+    for (size_t i = 0; i < n && *sound; i++) {
+        if (!add_point(g->d, &g->at, xy[2 * i], xy[2 * i + 1], &is_new))
+            return false;
+        *sound = is_new;
+    }
+    for (size_t i = 0; i < n && *sound; i++) {
+        const double *a = xy + 2 * i, *b = xy + 2 * next[i];
+        size_t parts = (size_t)fmin(ceil(hypot(b[0] - a[0], b[1] - a[1]) / g->step), 1000);
+        uint32_t last = (uint32_t)i;
+        for (size_t k = 1; k < parts && *sound; k++) {
+            double t = (double)k / (double)parts;
+            if (!add_point(g->d, &g->at, a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), &is_new))
+                return false;
+            *sound = is_new;
+            if (!add_edge(g, last, (uint32_t)g->d->n_points - 1))
+                return false;
+            last = (uint32_t)g->d->n_points - 1;
+        }
+        if (!add_edge(g, last, next[i]))
+            return false;
+    }
+    return true;
+}
+
+static double phi_at(il_distance *map, double cell_x, double cell_y)
+{
+    float x = (float)cell_x, y = (float)cell_y, phi, gx, gy;
+    il_distance_sample(map, &x, &y, 1, &phi, &gx, &gy);
+    return phi;
+}
+
+/* Points inside, none too near the outline. */
+static bool add_lattice(grid *g, il_distance *region, const double box[4])
+{
+    bool is_new;
+    double s = g->step;
+    for (double y = box[1] + s / 2; y < box[3]; y += s)
+        for (double x = box[0] + s / 2; x < box[2]; x += s)
+            if (phi_at(region, x, y) > s / 2 && !add_point(g->d, &g->at, x, y, &is_new))
+                return false;
+    return true;
+}
+
+/* Triangles on the left of the outline are inside, and all that no edge parts from them. */
+static il_status flood(grid *g, il_error *err)
+{
+    il_dissection *d = g->d;
+    il_keymap left = IL_KEYMAP_INIT, right = IL_KEYMAP_INIT;
+    uint32_t *todo = il_alloc(d->n_triangles, sizeof *todo);
+    size_t n = 0;
+    d->inside = il_calloc(d->n_triangles, sizeof *d->inside);
+    bool ok = todo && d->inside;
+    for (size_t i = 0; ok && i < g->n_edges; i++)
+        ok = il_keymap_put(&left, g->edge[2 * i], g->edge[2 * i + 1], 1) != NULL &&
+             il_keymap_put(&right, g->edge[2 * i + 1], g->edge[2 * i], 1) != NULL;
+    for (uint32_t t = 0; ok && t < d->n_triangles; t++)
+        for (size_t k = 0; k < 3; k++)
+            if (!d->inside[t] && il_keymap_get(&left, d->corner[3 * t + k], d->corner[3 * t + (k + 1) % 3], 0)) {
+                d->inside[t] = true;
+                todo[n++] = t;
+            }
+    while (ok && n > 0) {
+        uint32_t t = todo[--n];
+        for (size_t k = 0; k < 3; k++) {
+            uint32_t a = d->corner[3 * t + k], b = d->corner[3 * t + (k + 1) % 3], u = d->across[3 * t + k];
+            if (u == UINT32_MAX || d->inside[u] || il_keymap_get(&left, a, b, 0) || il_keymap_get(&right, a, b, 0))
+                continue;
+            d->inside[u] = true;
+            todo[n++] = u;
+        }
+    }
+    il_free(todo);
+    il_keymap_free(&left);
+    il_keymap_free(&right);
+    return ok ? IL_OK : il_fail_nomem(err);
+}
+
+static il_status triangulate(grid *g, bool *sound, il_error *err)
+{
+    il_triangulation *t = NULL;
+    bool crosses = false;
+    il_status st = il_triangulation_try(&t, g->d->xy, g->d->n_points, g->edge, g->n_edges, &crosses, err);
+    *sound = st == IL_OK && !crosses;
+    if (*sound)
+        st = il_triangulation_export(t, &g->d->corner, &g->d->across, &g->d->n_triangles, err);
+    il_triangulation_free(t);
+    return st;
+}
+
+/* From the outline xy[2*n], cells. */
+static il_status make_grid(il_dissection *d, const double *xy, const uint32_t *next, size_t n, bool *sound, il_error *err)
+{
+    grid g = { .d = d, .step = sqrt(fabs(area_of(xy, next, n))) / ACROSS };
+    il_distance map = IL_DISTANCE_INIT;
+    double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
+    extend(box, xy, n);
+    *sound = g.step > 0;
+    il_status st = il_distance_begin(&map, xy, next, n, d->frame.cells_x, d->frame.cells_y, err);
+    if (st == IL_OK && *sound && !(add_outline(&g, xy, next, n, sound) && (!*sound || add_lattice(&g, &map, box))))
+        st = il_fail_nomem(err);
+    if (st == IL_OK && map.failed)
+        st = il_fail_nomem(err);
+    if (st == IL_OK && *sound)
+        st = triangulate(&g, sound, err);
+    if (st == IL_OK && *sound)
+        st = flood(&g, err);
+    il_distance_free(&map);
+    il_keymap_free(&g.at);
+    il_free(g.edge);
+    return st;
+}
+
+/* ---- the weights ---- */
+
+/* A triangle as a mass at its middle, and the weight that its power lacks to be the site's. */
+typedef struct mass {
+    double at[2], area, lacks;
+} mass;
+
+static int compare_masses(const void *p, const void *q)
+{
+    const mass *a = p, *b = q;
+    return a->lacks < b->lacks ? -1 : a->lacks > b->lacks;
+}
+
+static size_t take_masses(const il_dissection *d, mass *m, double *whole)
+{
+    size_t n = 0;
+    *whole = 0;
+    for (size_t t = 0; t < d->n_triangles; t++) {
+        const double *a = d->xy + 2 * d->corner[3 * t], *b = d->xy + 2 * d->corner[3 * t + 1], *c = d->xy + 2 * d->corner[3 * t + 2];
+        if (!d->inside[t])
+            continue;
+        m[n] = (mass){ { (a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3 },
+                       ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2, 0 };
+        *whole += m[n++].area;
+    }
+    return n;
+}
+
+static double power(const il_dissection *d, size_t i, const double p[2])
+{
+    double dx = p[0] - d->site[2 * i], dy = p[1] - d->site[2 * i + 1];
+    return dx * dx + dy * dy - d->weight[i];
+}
+
+/* The weight of site I by which its cell has the area WANTED, as the others are. */
+static void settle_weight(il_dissection *d, size_t i, double wanted, mass *m, size_t n)
+{
+    for (size_t t = 0; t < n; t++) {
+        double least = INFINITY;
+        for (size_t k = 0; k < d->n; k++)
+            least = k == i ? least : fmin(least, power(d, k, m[t].at));
+        m[t].lacks = power(d, i, m[t].at) - least;
+    }
+    qsort(m, n, sizeof *m, compare_masses);
+    double area = 0;
+    size_t t = 0;
+    while (t + 1 < n && area + m[t].area / 2 < wanted)
+        area += m[t++].area;
+    d->weight[i] += t > 0 ? (m[t - 1].lacks + m[t].lacks) / 2 : m[0].lacks;
+}
+
+/* Site by site: two settle at once. */
+static il_status settle_weights(il_dissection *d, const double *share, il_error *err)
+{
+    enum { SWEEPS = 40 };
+    mass *m = il_alloc(d->n_triangles, sizeof *m);
+    double whole, least, sum = 0, excess = 0;
+    if (!m)
+        return il_fail_nomem(err);
+    size_t n = take_masses(d, m, &whole);
+    for (size_t i = 0; i < d->n; i++)
+        sum += share[i];
+    least = LEAST_SHARE * sum / (double)d->n;
+    for (size_t i = 0; i < d->n; i++)
+        excess += fmax(0, least - share[i]);
+    for (int sweep = 0; n > 0 && sweep < (d->n > 2 ? SWEEPS : 1); sweep++)
+        for (size_t i = 0; i < d->n; i++)
+            settle_weight(d, i, whole * fmax(share[i], least) / (sum + excess), m, n);
+    il_free(m);
+    return IL_OK;
+}
+
+il_status il_dissection_begin(il_dissection *d, const il_outline *region, const double *site, const double *share, size_t n,
+                              bool *sound, il_error *err)
+{
+    double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
+    *d = (il_dissection){ .n = n };
+    extend(box, region->xy, region->n);
+    d->frame = il_frame_over(box);
+    d->site = in_cells(&d->frame, site, n);
+    d->weight = il_calloc(n, sizeof *d->weight);
+    double *xy = in_cells(&d->frame, region->xy, region->n);
+    il_status st = d->site && d->weight && xy ? IL_OK : il_fail_nomem(err);
+    *sound = st == IL_OK && sites_differ(d);
+    if (st == IL_OK && *sound)
+        st = make_grid(d, xy, region->next, region->n, sound, err);
+    if (st == IL_OK && *sound) {
+        d->side = il_alloc(d->n_points, sizeof *d->side);
+        st = d->side ? settle_weights(d, share, err) : il_fail_nomem(err);
+    }
+    il_free(xy);
+    return st;
+}
+
+double il_dissection_breadth(const il_dissection *d)
+{
+    double sum = 0;
+    for (size_t t = 0; t < d->n_triangles; t++) {
+        const double *a = d->xy + 2 * d->corner[3 * t], *b = d->xy + 2 * d->corner[3 * t + 1], *c = d->xy + 2 * d->corner[3 * t + 2];
+        sum += d->inside[t] ? (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]) : 0;
+    }
+    return sqrt(sum / 2) / 2;
+}
+
+/* ---- pieces ---- */
+
+/* The points of a piece by what they are: a point of the grid (p, p), or where its edge
+ * (p, q), p < q, is cut. */
+typedef struct march {
+    il_dissection *d;
+    il_piece *out;
+    il_keymap at;
+} march;
+
+static uint32_t point_of(march *m, uint32_t p, uint32_t q)
+{
+    il_dissection *d = m->d;
+    il_piece *o = m->out;
+    uint32_t *known = il_keymap_put(&m->at, p < q ? p : q, p < q ? q : p, (uint32_t)o->n);
+    if (!known || *known < o->n)
+        return known ? *known : UINT32_MAX;
+    if (!il_grow(&o->xy, &o->cap, 2 * (o->n + 1), sizeof *o->xy) || !il_grow(&o->next, &o->cap_next, o->n + 1, sizeof *o->next))
+        return UINT32_MAX;
+    if (q < p) { /* the same place from either side */
+        uint32_t swap = p;
+        p = q;
+        q = swap;
+    }
+    double t = p == q ? 0 : d->side[p] / (d->side[p] - d->side[q]);
+    for (size_t c = 0; c < 2; c++) {
+        double cell = d->xy[2 * p + c] + t * (d->xy[2 * q + c] - d->xy[2 * p + c]);
+        o->xy[2 * o->n + c] = (cell - d->frame.margin) * d->frame.cell + (c == 0 ? d->frame.x : d->frame.y);
+    }
+    o->next[o->n] = UINT32_MAX;
+    return (uint32_t)o->n++;
+}
+
+/* The way from point (A, B) to point (C, D). */
+static bool go(march *m, uint32_t a, uint32_t b, uint32_t c, uint32_t e)
+{
+    uint32_t from = point_of(m, a, b), to = point_of(m, c, e);
+    if (from == UINT32_MAX || to == UINT32_MAX)
+        return false;
+    m->out->next[from] = to;
+    return true;
+}
+
+static bool in(const il_dissection *d, uint32_t p)
+{
+    return d->side[p] > 0;
+}
+
+/* The cut through triangle T, the piece on its left. */
+static bool cut_triangle(march *m, uint32_t t)
+{
+    const il_dissection *d = m->d;
+    uint32_t from[2] = { UINT32_MAX, 0 }, to[2] = { UINT32_MAX, 0 };
+    for (size_t k = 0; k < 3; k++) {
+        uint32_t p = d->corner[3 * t + k], q = d->corner[3 * t + (k + 1) % 3];
+        if (in(d, p) && !in(d, q))
+            from[0] = p, from[1] = q;
+        if (!in(d, p) && in(d, q))
+            to[0] = p, to[1] = q;
+    }
+    return from[0] == UINT32_MAX || go(m, from[0], from[1], to[0], to[1]);
+}
+
+/* The part of edge K of triangle T, on the outline, that is in the piece. */
+static bool follow_outline(march *m, uint32_t t, size_t k)
+{
+    const il_dissection *d = m->d;
+    uint32_t p = d->corner[3 * t + k], q = d->corner[3 * t + (k + 1) % 3];
+    if (in(d, p))
+        return in(d, q) ? go(m, p, p, q, q) : go(m, p, p, p, q);
+    return !in(d, q) || go(m, p, q, q, q);
+}
+
+static bool is_outline(const il_dissection *d, uint32_t t, size_t k)
+{
+    uint32_t u = d->across[3 * t + k];
+    return u == UINT32_MAX || !d->inside[u];
+}
+
+static il_status march_all(il_dissection *d, bool outline, il_piece *out, il_error *err)
+{
+    march m = { .d = d, .out = out };
+    bool ok = true;
+    for (uint32_t t = 0; ok && t < d->n_triangles; t++) {
+        if (!d->inside[t])
+            continue;
+        ok = cut_triangle(&m, t);
+        for (size_t k = 0; ok && outline && k < 3; k++)
+            if (is_outline(d, t, k))
+                ok = follow_outline(&m, t, k);
+    }
+    il_keymap_free(&m.at);
+    return ok ? IL_OK : il_fail_nomem(err);
+}
+
+il_status il_dissection_piece(il_dissection *d, size_t i, double seam, il_piece *out, il_error *err)
+{
+    *out = (il_piece){ 0 };
+    for (size_t p = 0; p < d->n_points; p++)
+        d->side[p] = side_at(d, i, d->xy + 2 * p, NULL) - seam;
+    return march_all(d, true, out, err);
+}
+
+il_status il_dissection_cuts(il_dissection *d, size_t i, il_piece *out, il_error *err)
+{
+    *out = (il_piece){ 0 };
+    for (size_t p = 0; p < d->n_points; p++)
+        d->side[p] = side_at(d, i, d->xy + 2 * p, NULL);
+    il_status st = march_all(d, false, out, err);
+    for (size_t k = 0; st == IL_OK && k < out->n; k++) { /* what is cut from an earlier piece is that one's */
+        size_t rival = i;
+        il_dissection_side(d, i, out->xy + 2 * k, &rival);
+        if (rival < i)
+            out->next[k] = UINT32_MAX;
+    }
+    return st;
+}

@@ -75,6 +75,7 @@ for name in ffd arcs; do
     starve "so does plot of a pair: $name" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_$name.loft" --pair 0 -o box/p.svg
 done
 starve "and of all pairs" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_arcs.loft" -o box/
+starve "and of a skeleton" "$ISOLOFT" plot block.loft --skeleton -o box/s.svg
 starve "so does info" "$ISOLOFT" info block.loft
 starve "so does the list of a structure set" "$ISOLOFT" --list --roi '[VE]*' "$srcdir/examples/phantom.dcmdump.txt"
 starve "and a tilted one, turned" "$ISOLOFT" "$srcdir/formats/dcmdump/valid/v_tilted.txt" --ras -o box/t.stl

@@ -212,6 +212,14 @@ static il_status settle_relief(il_options *o, il_error *err)
     return IL_OK;
 }
 
+/* The skeleton is the one picture for which links are looked for. */
+static il_status check_pieces(const il_options *o, il_error *err)
+{
+    if (o->verb == IL_VERB_PLOT && il_options_given(o, "pieces") && o->picture.what != IL_PICTURE_SKELETON)
+        return il_fail(err, IL_E_USAGE, 0, "--pieces goes with --skeleton: other pictures show what the stream says");
+    return IL_OK;
+}
+
 /* What can only be told when all of the line is known. */
 static il_status check_together(il_options *o, il_error *err)
 {
@@ -222,6 +230,8 @@ static il_status check_together(il_options *o, il_error *err)
     il_status st = check_inputs(o, err);
     if (st == IL_OK)
         st = check_list(o, err);
+    if (st == IL_OK)
+        st = check_pieces(o, err);
     if (st == IL_OK)
         st = settle_format(o, err);
     if (st == IL_OK)

@@ -12,6 +12,7 @@
 #include "match/linker.h"
 #include "match/matcher.h"
 #include "match/refit.h"
+#include "match/unlinked.h"
 #include "model/ras.h"
 #include "model/rescale.h"
 #include "model/tee.h"
@@ -33,7 +34,8 @@ typedef struct pipeline {
     const il_reader *reader;
     il_destination *destination;
     il_output *pairs;
-    il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *linker, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler;
+    il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *linker, *unlinked, *gapper;
+    il_sink *measure, *joiner, *cleaner, *ras, *rescaler;
     il_sink *select, *guard, *first;
     il_frame_file outline;
     il_refit *refit;
@@ -231,11 +233,16 @@ static il_status build_matcher(pipeline *p, il_error *err)
 
 static il_status build_linker(pipeline *p, il_error *err)
 {
-    if (!p->plan->match || p->options->matcher == IL_MATCHER_NONE || p->options->pieces == IL_PIECES_OVERLAP)
+    bool left = p->options->matcher == IL_MATCHER_NONE || p->options->pieces == IL_PIECES_OVERLAP;
+    if (!p->plan->link && (!p->plan->match || left))
         return IL_OK; /* the matcher links what overlaps itself */
     il_linkage_options o = il_linkage_options_for(p->options->pieces);
     il_status st = il_linker_new(&p->linker, &o, p->first, err);
     p->first = st == IL_OK ? p->linker : p->first;
+    if (st != IL_OK || !p->plan->link)
+        return st;
+    st = il_unlinked_new(&p->unlinked, p->first, err);
+    p->first = st == IL_OK ? p->unlinked : p->first;
     return st;
 }
 
@@ -271,7 +278,7 @@ static il_status build_joiner(pipeline *p, il_error *err)
 
 static il_status build_cleaner(pipeline *p, il_error *err)
 {
-    if (p->plan->draw)
+    if (p->plan->draw && !p->plan->link)
         return IL_OK;
     il_clean_options c = { .keyhole = p->options->keyhole };
     if (!p->options->has_keyhole && p->reader->is_patient) {
@@ -315,8 +322,8 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_matcher, build_linker, build_gapper, build_measure, build_joiner, build_cleaner, build_ras, build_rescaler,
-        build_select };
+        build_rounder, build_tee, build_matcher, build_linker, build_gapper, build_measure,
+        build_joiner, build_cleaner, build_ras, build_rescaler, build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
     p->first = il_account_contours(p->account, end);
@@ -336,6 +343,7 @@ static void free_pipeline(pipeline *p)
     il_joiner_free(p->joiner);
     il_measure_free(p->measure);
     il_gapper_free(p->gapper);
+    il_unlinked_free(p->unlinked);
     il_linker_free(p->linker);
     il_matcher_free(p->matcher);
     il_refit_free(p->refit);

@@ -46,7 +46,7 @@ il_linkage_options il_linkage_options_for(il_pieces pieces)
 {
     il_linkage_options o = IL_LINKAGE_OPTIONS_INIT;
     if (pieces == IL_PIECES_FEW)
-        o.reach = 4;
+        o = (il_linkage_options){ 0, 4, 0.1, INFINITY };
     else if (pieces == IL_PIECES_OVERLAP)
         o.free = o.reach = 0;
     return o;

@@ -410,7 +410,8 @@ static void all_are_lofted_soundly(void **state)
         for (uint64_t i = 0; i < TREES; i++)
             if (all || (i + i / TREE_N_KINDS) % N_SPACINGS == spacing)
                 loft_tree(i, spacing, &o);
-        print_message("# spacing/width %g: %zu lofted, all links of %zu right; of these %zu as they are, %zu in more pieces, %zu with handles\n",
+        print_message("# spacing/width %g: %zu lofted, all links of %zu right; "
+                      "of these %zu as they are, %zu in more pieces, %zu with handles\n",
                       spacings[spacing], o.lofted, o.right, o.same, o.more, o.handles);
     }
 }

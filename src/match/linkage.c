@@ -23,8 +23,9 @@ typedef struct candidate {
 } candidate;
 
 /* region[first[k]] .. region[first[k + 1]] are those of slice k; of[ring_first[k] + ring]: a
- * ring's; region_at: of one slice's outer rings, while they are numbered.  parts: forest over the regions; groups: the same per slab, region r as the lower
- * one of its slab at 2 r, as the upper one at 2 r + 1.  volume: of the parts, at their leaders.
+ * ring's; region_at: of one slice's outer rings, while they are numbered.  parts: forest over the
+ * regions; groups: the same per slab, region r as the lower one of its slab at 2 r, as the upper one
+ * at 2 r + 1.  volume: of the parts, at their leaders.
  * waiting[leader], next[2 * candidate + side]: candidates that were refused as their part was then, in lists;
  * who is in none is its own next. */
 typedef struct linking {
@@ -172,7 +173,8 @@ static double distance(const linking *l, const il_nearest t[2], const region *a,
         const region *from = side == 0 ? a : b, *to = side == 0 ? b : a;
         const il_ring *r = &l->slice[from->slice].ring[from->ring];
         for (size_t i = 0; i < r->n; i++)
-            least = fmin(least, il_nearest_distance(&t[1 - side], (size_t)(to - l->region) - l->first[to->slice], r->xy[2 * i], r->xy[2 * i + 1]));
+            least = fmin(least, il_nearest_distance(&t[1 - side], (size_t)(to - l->region) - l->first[to->slice],
+                                                    r->xy[2 * i], r->xy[2 * i + 1]));
     }
     return least;
 }

@@ -23,9 +23,11 @@ typedef struct candidate {
 } candidate;
 
 /* region[first[k]] .. region[first[k + 1]] are those of slice k; of[ring_first[k] + ring]: a
- * ring's; region_at: of one slice's outer rings, while they are numbered.  parts: forest over the regions; groups: the same per slab, region r as the lower
- * one of its slab at 2 r, as the upper one at 2 r + 1.  volume: of the parts, at their leaders.
- * waiting[leader], next[candidate]: candidates that were refused as their part was then. */
+ * ring's; region_at: of one slice's outer rings, while they are numbered.  parts: forest over the
+ * regions; groups: the same per slab, region r as the lower one of its slab at 2 r, as the upper one
+ * at 2 r + 1.  volume: of the parts, at their leaders.
+ * waiting[leader], next[2 * candidate + side]: candidates that were refused as their part was then, in lists;
+ * who is in none is its own next. */
 typedef struct linking {
     const il_slice *slice;
     size_t n;
@@ -45,7 +47,7 @@ il_linkage_options il_linkage_options_for(il_pieces pieces)
 {
     il_linkage_options o = IL_LINKAGE_OPTIONS_INIT;
     if (pieces == IL_PIECES_FEW)
-        o.reach = 4;
+        o = (il_linkage_options){ 0, 4, 0.1, INFINITY };
     else if (pieces == IL_PIECES_OVERLAP)
         o.free = o.reach = 0;
     return o;
@@ -171,7 +173,8 @@ static double distance(const linking *l, const il_nearest t[2], const region *a,
         const region *from = side == 0 ? a : b, *to = side == 0 ? b : a;
         const il_ring *r = &l->slice[from->slice].ring[from->ring];
         for (size_t i = 0; i < r->n; i++)
-            least = fmin(least, il_nearest_distance(&t[1 - side], (size_t)(to - l->region) - l->first[to->slice], r->xy[2 * i], r->xy[2 * i + 1]));
+            least = fmin(least, il_nearest_distance(&t[1 - side], (size_t)(to - l->region) - l->first[to->slice],
+                                                    r->xy[2 * i], r->xy[2 * i + 1]));
     }
     return least;
 }
@@ -321,20 +324,25 @@ static uint32_t pop(linking *l)
     return least;
 }
 
-/* Candidate I waits for either of its parts to grow. */
+/* Candidate I waits for either of its parts to grow; on one side it may still do so, when the other woke it. */
 static void wait_for(linking *l, uint32_t i, int side)
 {
-    uint32_t p = il_forest_leader(l->parts, side == 0 ? l->candidate[i].a : l->candidate[i].b);
-    l->next[2 * (size_t)i + (size_t)side] = l->waiting[p];
-    l->waiting[p] = 2 * i + (uint32_t)side;
+    uint32_t p = il_forest_leader(l->parts, side == 0 ? l->candidate[i].a : l->candidate[i].b), w = 2 * i + (uint32_t)side;
+    if (l->next[w] != w)
+        return;
+    l->next[w] = l->waiting[p];
+    l->waiting[p] = w;
 }
 
 static void wake(linking *l, uint32_t part)
 {
-    uint32_t w = l->waiting[part];
+    uint32_t w = l->waiting[part], then;
     l->waiting[part] = UINT32_MAX;
-    for (; w != UINT32_MAX; w = l->next[w])
+    for (; w != UINT32_MAX; w = then) {
+        then = l->next[w];
+        l->next[w] = w;
         push(l, w / 2);
+    }
 }
 
 static void take_overlaps_and_free(linking *l)
@@ -415,6 +423,8 @@ static il_status choose(linking *l, il_error *err)
     il_forest_plant(l->groups, 2 * l->n_regions);
     for (size_t r = 0; r < l->n_regions; r++)
         l->waiting[r] = UINT32_MAX;
+    for (uint32_t w = 0; w < 2 * l->n_candidates; w++)
+        l->next[w] = w;
     measure_parts(l);
     take_overlaps_and_free(l);
     take_joins(l);

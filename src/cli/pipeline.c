@@ -315,8 +315,8 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_matcher, build_linker, build_gapper, build_measure, build_joiner, build_cleaner, build_ras, build_rescaler,
-        build_select };
+        build_rounder, build_tee, build_matcher, build_linker, build_gapper, build_measure, build_joiner, build_cleaner,
+        build_ras, build_rescaler, build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
     p->first = il_account_contours(p->account, end);

@@ -71,20 +71,32 @@ static il_status make_pair(linker *l, const il_linkage *links, size_t k, il_erro
                          links->first[k] - links->first[k - 1], err);
 }
 
+/* A slice is the next stage's once it is passed on, so the pair above it is made before. */
 static il_status pass_on(linker *l, const il_linkage *links, il_error *err)
 {
     il_status st = IL_OK;
     for (size_t k = 0; k < l->n && st == IL_OK; k++) {
-        if (k > 0 && !l->has_pair[k])
-            st = make_pair(l, links, k, err);
-    }
-    for (size_t k = 0; k < l->n && st == IL_OK; k++) {
-        st = l->next->slice(l->next, &l->slice[k], err);
+        if (k + 1 < l->n && !l->has_pair[k + 1])
+            st = make_pair(l, links, k + 1, err);
+        if (st == IL_OK)
+            st = l->next->slice(l->next, &l->slice[k], err);
         if (st == IL_OK && k > 0)
             st = l->next->pair(l->next, &l->pair[k], err);
         il_slice_free(&l->slice[k]);
         il_pair_free(&l->pair[k]);
     }
+    return st;
+}
+
+static il_status link_stack(linker *l, il_linkage *links, il_error *err)
+{
+    const il_pair **known = il_alloc(l->n, sizeof *known);
+    if (!known)
+        return il_fail_nomem(err);
+    for (size_t k = 0; k < l->n; k++)
+        known[k] = k + 1 < l->n && l->has_pair[k + 1] ? &l->pair[k + 1] : NULL;
+    il_status st = il_linkage_find(links, l->slice, l->n, known, &l->options, err);
+    il_free(known);
     return st;
 }
 
@@ -94,11 +106,7 @@ static il_status stack_end(il_sink *self, il_error *err)
     il_linkage links = IL_LINKAGE_INIT;
     il_status st = IL_OK;
     if (!l->is_terrain && l->n > 0) {
-        bool *parted = il_alloc(l->n, sizeof *parted);
-        for (size_t k = 0; parted && k < l->n; k++)
-            parted[k] = k + 1 < l->n && l->has_pair[k + 1];
-        st = parted ? il_linkage_find(&links, l->slice, l->n, parted, &l->options, err) : il_fail_nomem(err);
-        il_free(parted);
+        st = link_stack(l, &links, err);
         if (st == IL_OK)
             st = pass_on(l, &links, err);
         il_linkage_free(&links);

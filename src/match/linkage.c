@@ -172,8 +172,9 @@ static double distance(const linking *l, const il_nearest t[2], const region *a,
     for (int side = 0; side < 2; side++) {
         const region *from = side == 0 ? a : b, *to = side == 0 ? b : a;
         const il_ring *r = &l->slice[from->slice].ring[from->ring];
+        size_t class = (size_t)(to - l->region) - l->first[to->slice];
         for (size_t i = 0; i < r->n; i++)
-            least = fmin(least, il_nearest_distance(&t[1 - side], (size_t)(to - l->region) - l->first[to->slice], r->xy[2 * i], r->xy[2 * i + 1]));
+            least = fmin(least, il_nearest_distance(&t[1 - side], class, r->xy[2 * i], r->xy[2 * i + 1]));
     }
     return least;
 }

@@ -127,7 +127,7 @@ if [ -f "$builddir/config.h" ] && ! sanitized; then
     pillar 400 200 >once.loft
     pillar 800 200 >twice.loft
     doubles "twice the slices: memory grows by less than a tenth in read" 110 "$ISOLOFT" read -t loft
-    doubles "and in match" 110 "$ISOLOFT" match -t loft
+    doubles "and in match by overlap" 110 "$ISOLOFT" match --pieces overlap -t loft
     doubles "and to a mesh in less than 2.3 times" 230 "$ISOLOFT" -t ply
     pillar 12 4000 >once.loft
     pillar 12 8000 >twice.loft

@@ -52,6 +52,18 @@ static il_status set_pairs(il_options *o, const char *value, bool on, il_error *
     return set_path(&o->pairs, value, "--pairs", err);
 }
 
+static il_status set_links(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return set_path(&o->links, value, "--links", err);
+}
+
+static il_status set_links_out(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return set_path(&o->links_out, value, "--links-out", err);
+}
+
 static il_status add_pattern(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
@@ -551,6 +563,10 @@ const il_option il_option_table[] = {
       NULL, "how slices are matched: deformed, or as they lie", set_matcher },
     { 0, "pieces", "few|overlap", IL_OPTION_VALUE_OR_NO, LOFTERS | MATCH | PLOT,
       NULL, "link across gaps: far, for vessels, or never", set_pieces },
+    { 0, "links", "FILE", IL_OPTION_VALUE, LOFTERS | MATCH,
+      NULL, "rings belong together as FILE says", set_links },
+    { 0, "links-out", "FILE", IL_OPTION_VALUE, CONVERT | MATCH | MESH,
+      NULL, "also write which rings belong together", set_links_out },
     { 0, "lattice", NULL, IL_OPTION_SWITCH, CONVERT | MATCH | MESH,
       NULL, "pair records hold the lattices too, for plots", set_lattice },
     { 0, "groups", "stack|slab", IL_OPTION_VALUE, CONVERT | MESH,

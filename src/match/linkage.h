@@ -42,9 +42,11 @@ typedef struct il_linkage {
 #define IL_LINKAGE_INIT { NULL, NULL }
 void il_linkage_free(il_linkage *l); /* safe twice */
 
-/* Link slice[n], clean and rising; no link crosses a slab k with parted[k].  O(n log n) for
- * contours but for the rings whose boxes are as near as gaps may be wide.  IL_E_NOMEM. */
-il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, const bool *parted,
-                        const il_linkage_options *o, il_error *err);
+/* Link slice[n], clean and rising.  known[k]: the record that slab k has already, or null:
+ * then it gets no links, but what its groups join is one part, and without groups what
+ * overlaps; a gap joins nothing.  O(n log n) for contours but for the rings whose boxes are as
+ * near as gaps may be wide.  IL_E_NOMEM. */
+il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, const il_pair *const *known,
+                          const il_linkage_options *o, il_error *err);
 
 #endif

@@ -4,6 +4,7 @@
 #include "base/forest.h"
 #include "base/nearest.h"
 #include "bridge/boxes.h"
+#include "match/complement.h"
 #include "match/link.h"
 
 #include <math.h>
@@ -23,9 +24,10 @@ typedef struct candidate {
 } candidate;
 
 /* region[first[k]] .. region[first[k + 1]] are those of slice k; of[ring_first[k] + ring]: a
- * ring's; region_at: of one slice's outer rings, while they are numbered.  parts: forest over the regions; groups: the same per slab, region r as the lower
- * one of its slab at 2 r, as the upper one at 2 r + 1.  volume: of the parts, at their leaders.
- * waiting[leader], next[candidate]: candidates that were refused as their part was then. */
+ * ring's; region_at: of one slice's outer rings, while they are numbered.  parts: forest over
+ * the regions; groups: the same per slab, region r as the lower one of its slab at 2 r, as the
+ * upper one at 2 r + 1.  volume: of the parts, at their leaders.  waiting[leader],
+ * next[2 * candidate + side]: candidates that were refused as their part was then. */
 typedef struct linking {
     const il_slice *slice;
     size_t n;
@@ -170,8 +172,9 @@ static double distance(const linking *l, const il_nearest t[2], const region *a,
     for (int side = 0; side < 2; side++) {
         const region *from = side == 0 ? a : b, *to = side == 0 ? b : a;
         const il_ring *r = &l->slice[from->slice].ring[from->ring];
+        size_t class = (size_t)(to - l->region) - l->first[to->slice];
         for (size_t i = 0; i < r->n; i++)
-            least = fmin(least, il_nearest_distance(&t[1 - side], (size_t)(to - l->region) - l->first[to->slice], r->xy[2 * i], r->xy[2 * i + 1]));
+            least = fmin(least, il_nearest_distance(&t[1 - side], class, r->xy[2 * i], r->xy[2 * i + 1]));
     }
     return least;
 }
@@ -400,6 +403,33 @@ static bool write_links(linking *l, il_linkage *out)
     return true;
 }
 
+/* The links of holes, slab by slab, into the row of all. */
+static il_status add_holes(const linking *l, il_linkage *out, il_error *err)
+{
+    il_link *all = NULL;
+    size_t n_all = 0, cap = 0;
+    il_status st = IL_OK;
+    for (size_t k = 0; k + 1 < l->n && st == IL_OK; k++) {
+        size_t n = out->first[k + 1] - out->first[k];
+        il_link *link = il_alloc(n, sizeof *link);
+        if (link && n > 0)
+            memcpy(link, out->link + out->first[k], n * sizeof *link);
+        out->first[k] = n_all;
+        st = link ? il_complement_link(&link, &n, &l->slice[k], &l->slice[k + 1], err) : il_fail_nomem(err);
+        if (st == IL_OK && !il_grow(&all, &cap, n_all + n, sizeof *all))
+            st = il_fail_nomem(err);
+        if (st == IL_OK && n > 0)
+            memcpy(all + n_all, link, n * sizeof *link);
+        n_all += n;
+        il_free(link);
+    }
+    for (size_t k = l->n > 0 ? l->n - 1 : 0; k <= l->n; k++)
+        out->first[k] = n_all;
+    il_free(out->link);
+    out->link = all;
+    return st;
+}
+
 static il_status choose(linking *l, il_error *err)
 {
     l->taken = il_calloc(l->n_candidates, 1);
@@ -431,10 +461,12 @@ il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, cons
         st = find_candidates(&l, parted, err);
     if (st == IL_OK)
         st = choose(&l, err);
-    if (st == IL_OK && !write_links(&l, out)) {
-        il_linkage_free(out);
+    if (st == IL_OK && !write_links(&l, out))
         st = il_fail_nomem(err);
-    }
+    if (st == IL_OK)
+        st = add_holes(&l, out, err);
+    if (st != IL_OK)
+        il_linkage_free(out);
     il_free(l.region);
     il_free(l.first);
     il_free(l.ring_first);

@@ -4,6 +4,7 @@
 #include "base/forest.h"
 #include "bridge/boxes.h"
 #include "bridge/predicates.h"
+#include "match/complement.h"
 #include "match/under.h"
 
 #include <math.h>
@@ -313,6 +314,8 @@ il_status il_link_slices(il_pair *pair, const il_slice *lower, const il_slice *u
         st = il_fail_nomem(err);
     for (size_t i = 0; st == IL_OK && i < n; i++)
         link[i] = (il_link){ at[2 * i], at[2 * i + 1], IL_LINK_OVERLAP, 0 };
+    if (st == IL_OK)
+        st = il_complement_link(&link, &n, lower, upper, err);
     if (st == IL_OK)
         st = il_link_group(pair, lower, upper, link, n, err);
     il_free(at);

@@ -4,6 +4,7 @@
 #include "base/forest.h"
 #include "base/nearest.h"
 #include "bridge/boxes.h"
+#include "match/complement.h"
 #include "match/link.h"
 
 #include <math.h>
@@ -451,6 +452,33 @@ static bool write_links(linking *l, il_linkage *out)
     return true;
 }
 
+/* The links of holes, slab by slab, into the row of all. */
+static il_status add_holes(const linking *l, il_linkage *out, il_error *err)
+{
+    il_link *all = NULL;
+    size_t n_all = 0, cap = 0;
+    il_status st = IL_OK;
+    for (size_t k = 0; k + 1 < l->n && st == IL_OK; k++) {
+        size_t n = out->first[k + 1] - out->first[k];
+        il_link *link = il_alloc(n, sizeof *link);
+        if (link && n > 0)
+            memcpy(link, out->link + out->first[k], n * sizeof *link);
+        out->first[k] = n_all;
+        st = link ? il_complement_link(&link, &n, &l->slice[k], &l->slice[k + 1], err) : il_fail_nomem(err);
+        if (st == IL_OK && !il_grow(&all, &cap, n_all + n, sizeof *all))
+            st = il_fail_nomem(err);
+        if (st == IL_OK && n > 0)
+            memcpy(all + n_all, link, n * sizeof *link);
+        n_all += n;
+        il_free(link);
+    }
+    for (size_t k = l->n > 0 ? l->n - 1 : 0; k <= l->n; k++)
+        out->first[k] = n_all;
+    il_free(out->link);
+    out->link = all;
+    return st;
+}
+
 static il_status choose(linking *l, il_error *err)
 {
     l->taken = il_calloc(l->n_candidates, 1);
@@ -487,10 +515,12 @@ il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, cons
         st = find_candidates(&l, err);
     if (st == IL_OK)
         st = choose(&l, err);
-    if (st == IL_OK && !write_links(&l, out)) {
-        il_linkage_free(out);
+    if (st == IL_OK && !write_links(&l, out))
         st = il_fail_nomem(err);
-    }
+    if (st == IL_OK)
+        st = add_holes(&l, out, err);
+    if (st != IL_OK)
+        il_linkage_free(out);
     il_free(l.region);
     il_free(l.first);
     il_free(l.ring_first);

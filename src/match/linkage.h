@@ -33,7 +33,7 @@ typedef enum il_pieces { IL_PIECES_USUAL, IL_PIECES_FEW, IL_PIECES_OVERLAP } il_
 il_linkage_options il_linkage_options_for(il_pieces pieces);
 
 /* link[first[k]] .. link[first[k + 1]]: the links of slab k, between outer rings of slices k and
- * k + 1, rising.  reach: the gap, unit. */
+ * k + 1, and of holes (complement.h), rising.  reach: the gap, unit. */
 typedef struct il_linkage {
     il_link *link;
     size_t *first;

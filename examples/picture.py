@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """picture.py LINES.loft MESH.obj PICTURE.png - contours on the left, their surface on the right.
 
-Draws examples/vase.png, island.png and jacksboro.png: a depth buffer, one light, and nothing that the
+Draws examples/vase.png, tree.png, island.png and jacksboro.png: a depth buffer, one light, and nothing that the
 standard library lacks.  Solids stand upright, the origin in the middle; of maps, which are seen from
 higher up, the lines are taken to where the mesh's comments say that it was put."""
 

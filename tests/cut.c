@@ -16,75 +16,16 @@
  * farthest that an inserted point lies from its edge.  Exit 1 when the cut is
  * not the contour, with a line on standard error that says where. */
 #include "config.h"
+#include "gathered.h"
 #include "base/alloc.h"
 #include "base/keymap.h"
 #include "input/mesh-file.h"
-#include "input/reader.h"
 #include "model/audit.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- the contours -------------------------------------------------------------- */
-
-typedef struct contours {
-    il_sink sink;
-    il_stack_head head;
-    il_slice *slice;
-    size_t n, cap;
-} contours;
-
-static il_status on_stack(il_sink *self, const il_stack_head *head, il_error *err)
-{
-    return il_stack_head_copy(&((contours *)self)->head, head, err);
-}
-
-static il_status on_slice(il_sink *self, il_slice *s, il_error *err)
-{
-    contours *c = (contours *)self;
-    if (!il_grow(&c->slice, &c->cap, c->n + 1, sizeof *c->slice))
-        return il_fail_nomem(err);
-    c->slice[c->n++] = *s;
-    *s = (il_slice)IL_SLICE_INIT;
-    return IL_OK;
-}
-
-static il_status on_pair(il_sink *self, il_pair *p, il_error *err)
-{
-    (void)self;
-    (void)p;
-    (void)err;
-    return IL_OK;
-}
-
-static il_status on_end(il_sink *self, il_error *err)
-{
-    (void)self;
-    (void)err;
-    return IL_OK;
-}
-
-static il_status read_contours(contours *c, const char *path, il_error *err)
-{
-    il_read_options o = IL_READ_OPTIONS_INIT;
-    il_source *source = NULL;
-    *c = (contours){ .sink = { on_stack, on_slice, on_pair, on_end, on_end } };
-    il_status st = il_source_open(&source, path, err);
-    if (st == IL_OK)
-        st = il_reader_loft.read(&source, 1, &o, &c->sink, NULL, err);
-    il_source_close(source);
-    return st;
-}
-
-static void free_contours(contours *c)
-{
-    for (size_t k = 0; k < c->n; k++)
-        il_slice_free(&c->slice[k]);
-    il_free(c->slice);
-    il_stack_head_free(&c->head);
-}
 
 static il_status read_mesh(il_mesh *m, const char *path, il_error *err)
 {
@@ -333,7 +274,7 @@ static bool walk_edge(cut *c, const double *a, const double *b)
     return true;
 }
 
-static bool walk_ring(cut *c, const contours *all, const il_ring *r)
+static bool walk_ring(cut *c, const gathered *all, const il_ring *r)
 {
     bool ok = true;
     for (size_t i = 0; i < r->n && ok; i++) {
@@ -346,7 +287,7 @@ static bool walk_ring(cut *c, const contours *all, const il_ring *r)
     return ok;
 }
 
-static bool check_slice(cut *c, const contours *all, const il_slice *s, const size_t *touching, size_t n)
+static bool check_slice(cut *c, const gathered *all, const il_slice *s, const size_t *touching, size_t n)
 {
     il_keymap_free(&c->first);
     c->n_edges = 0;
@@ -380,7 +321,7 @@ static bool index_edges(cut *c)
 
 /* Lists of triangles by the slices that they touch: of slice k
  * list[begin[k] .. begin[k + 1]). */
-static bool touch(const cut *c, const contours *all, size_t **begin, size_t **list)
+static bool touch(const cut *c, const gathered *all, size_t **begin, size_t **list)
 {
     size_t n = c->mesh->n_triangles;
     *begin = il_calloc(all->n + 2, sizeof **begin);
@@ -419,7 +360,7 @@ static bool touch(const cut *c, const contours *all, size_t **begin, size_t **li
     return true;
 }
 
-static double trapezoid(const contours *c)
+static double trapezoid(const gathered *c)
 {
     double sum = 0;
     for (size_t k = 0; k + 1 < c->n; k++)
@@ -427,7 +368,7 @@ static double trapezoid(const contours *c)
     return sum;
 }
 
-static bool check(cut *c, const contours *all)
+static bool check(cut *c, const gathered *all)
 {
     size_t *begin = NULL, *list = NULL;
     bool ok = index_edges(c) && touch(c, all, &begin, &list);
@@ -438,7 +379,7 @@ static bool check(cut *c, const contours *all)
     return ok;
 }
 
-static void print_facts(const cut *c, const contours *all, const il_audit *a)
+static void print_facts(const cut *c, const gathered *all, const il_audit *a)
 {
     size_t points = 0;
     for (size_t k = 0; k < all->n; k++)
@@ -449,7 +390,7 @@ static void print_facts(const cut *c, const contours *all, const il_audit *a)
 
 int main(int argc, char **argv)
 {
-    contours all = { .n = 0 };
+    gathered all = { .n = 0 };
     il_mesh mesh = IL_MESH_INIT;
     il_audit audit;
     il_error err = IL_ERROR_INIT;
@@ -457,7 +398,7 @@ int main(int argc, char **argv)
         fputs("usage: cut MESH STREAM\n", stderr);
         return IL_E_USAGE;
     }
-    il_status st = read_contours(&all, argv[2], &err);
+    il_status st = gathered_read(&all, argv[2], &err);
     if (st == IL_OK)
         st = read_mesh(&mesh, argv[1], &err);
     if (st == IL_OK)
@@ -472,7 +413,7 @@ int main(int argc, char **argv)
     } else {
         fprintf(stderr, "cut: %s: %s\n", argv[1], err.text);
     }
-    free_contours(&all);
+    gathered_free(&all);
     il_mesh_free(&mesh);
     return (int)st;
 }

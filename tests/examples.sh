@@ -1,4 +1,4 @@
-# examples.sh - the examples of maps, as the README and their own one tell: the island and the Jacksboro fault.
+# examples.sh - the vessel tree and the examples of maps, the island and the Jacksboro fault, as the READMEs tell.
 # Of the vase see usage.sh, of the phantom phantom.sh.
 . "$srcdir/tests/tap.sh"
 
@@ -9,6 +9,24 @@ between() { awk -v low="$1" -v value="$2" -v high="$3" 'BEGIN { exit !(low < val
 
 # Commands of README file $1 that begin with $2, one a line, as they are typed beside the example.
 commands() { sed -n 's|^    ||; s|^\./||; s|examples/||g; /^'"$2"'/p' "$srcdir/$1"; }
+
+# ---- the vessel tree ------------------------------------------------------------
+
+cp "$srcdir"/examples/tree.* .
+awk -f tree.awk >made.loft
+holds "tree.loft is what tree.awk makes" cmp made.loft tree.loft
+commands examples/README.md 'isoloft tree.loft' | grep -v picture.py >told
+holds "the README makes something of the tree in three ways" test "$(wc -l <told)" -eq 3
+for pieces in 6 4 1; do
+    read -r line
+    exits 0 "the README's $line" sh -c "$line"
+    mesh=${line##* }
+    exits 0 "$mesh is sound" isoloft check "$mesh"
+    row components "$pieces, genus 0$"
+done <told
+exits 0 "nothing of the tree needs repair" isoloft info tree.loft --pieces few
+row repairs 'none$'
+row surface certified
 
 # ---- the island ----------------------------------------------------------------
 

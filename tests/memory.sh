@@ -75,6 +75,7 @@ for name in ffd arcs; do
     starve "so does plot of a pair: $name" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_$name.loft" --pair 0 -o box/p.svg
 done
 starve "and of all pairs" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_arcs.loft" -o box/
+starve "and of a skeleton" "$ISOLOFT" plot block.loft --skeleton -o box/s.svg
 starve "so does info" "$ISOLOFT" info block.loft
 starve "so does the list of a structure set" "$ISOLOFT" --list --roi '[VE]*' "$srcdir/examples/phantom.dcmdump.txt"
 starve "and a tilted one, turned" "$ISOLOFT" "$srcdir/formats/dcmdump/valid/v_tilted.txt" --ras -o box/t.stl
@@ -126,7 +127,7 @@ if [ -f "$builddir/config.h" ] && ! sanitized; then
     pillar 400 200 >once.loft
     pillar 800 200 >twice.loft
     doubles "twice the slices: memory grows by less than a tenth in read" 110 "$ISOLOFT" read -t loft
-    doubles "and in match" 110 "$ISOLOFT" match -t loft
+    doubles "and in match by overlap" 110 "$ISOLOFT" match --pieces overlap -t loft
     doubles "and to a mesh in less than 2.3 times" 230 "$ISOLOFT" -t ply
     pillar 12 4000 >once.loft
     pillar 12 8000 >twice.loft

@@ -76,6 +76,67 @@ for name in ffd arcs arcs_none groups none empty_slices ffd_one_side; do
     picture "is a picture" out
 done
 
+# ---- the skeleton ----------------------------------------------------------------
+
+exits 0 "--skeleton is the whole stack" "$ISOLOFT" plot "$vase" --skeleton
+cp out skeleton.svg
+picture "which is a picture" skeleton.svg
+says "with a centre for each region" skeleton.svg "The centres of 53 regions, joined by 54 links: 1 piece"
+says "the reasons of its links" skeleton.svg "overlap: 54 links"
+says "and its branching places" skeleton.svg "branching places: 2"
+holds "which are marked, and explained" test "$(count '<circle' skeleton.svg)" -eq 3
+bones() { sed -n 's/^\(<path d="\)*\(M[^"]*\).*/\2/p' "$1" | grep -c '^M[-0-9. ]*l[-0-9. ]*$'; }
+holds "every link is a line, and there are its halo, the legend's, axes, scale and ticks" test "$(bones skeleton.svg)" -eq 129
+exits 0 "of records" "$ISOLOFT" match clean.loft -o ffd.loft
+exits 0 "it is the same" "$ISOLOFT" plot ffd.loft --skeleton
+holds "to the byte" cmp out skeleton.svg
+exits 0 "records without groups" "$ISOLOFT" plot matched.loft --skeleton
+holds "say no less" cmp out skeleton.svg
+exits 0 "one thread" "$ISOLOFT" plot matched.loft --skeleton --threads 1
+holds "draws the same" cmp out skeleton.svg
+exits 0 "--no-skeleton takes it back" "$ISOLOFT" plot matched.loft --skeleton --no-skeleton
+holds "to the sheet" cmp out sheet.svg
+# A pillar, and a vessel that leaves it without ever overlapping: over gaps of half the
+# height of a slab at first, then of one and a half.  Something else lies far away.
+awk 'BEGIN {
+    print "isoloft 1\nunit mm\nstack \"tree\""
+    for (z = 0; z < 6; z++) {
+        print "slice", 2 * z; box(0, 0, 9)
+        if (z > 0) box(4 + 6 * z, 0, z < 3 ? 5 : 3)
+        if (z == 5) box(90, 90, 1)
+    }
+    print "end"
+}
+function box(x, y, w) { print "ring\n" x, y "\n" x + w, y "\n" x + w, y + w "\n" x, y + w }' >tree.loft
+exits 0 "what does not overlap" "$ISOLOFT" plot tree.loft --skeleton --pieces overlap
+says "is in pieces" out "The centres of 12 regions, joined by 5 links: 7 pieces"
+says "of which the small ones are counted" out "2 smaller pieces: 2 regions"
+says "and ends" out "ends inside the stack: 6"
+exits 0 "joins" "$ISOLOFT" plot tree.loft --skeleton
+says "are told from overlaps" out "joined over a gap: 3 links"
+exits 0 "far ones" "$ISOLOFT" plot tree.loft --skeleton --pieces few
+says "are guesses" out "guessed, gap &gt; height: 2 links"
+picture "and a picture" out
+says "which leave one thing alone" out "ends inside the stack: 1"
+"$ISOLOFT" plot tree.loft --skeleton --pieces few >few.svg
+exits 0 "linked records" sh -c '"$ISOLOFT" match tree.loft --pieces few 2>/dev/null | "$ISOLOFT" plot --skeleton'
+holds "say the same" cmp out few.svg
+exits 2 "--pieces for another picture" "$ISOLOFT" plot tree.loft --pieces few
+holds "is refused in one line" one_error
+{ "$ISOLOFT" read tree.loft | sed '/^end$/d'; echo gap; echo end; } >closed.loft
+exits 0 "a gap" "$ISOLOFT" plot closed.loft --skeleton --pieces overlap
+says "is no end" out "ends inside the stack: 4"
+printf 'isoloft 1\nunit m\nstack "hill"\nkind terrain\nslice 5\nring\n0 0\n9 0\n9 9\nend\n' >hill.loft
+exits 0 "terrain" "$ISOLOFT" plot hill.loft --skeleton
+says "has none" out "has no skeleton"
+awk 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\"\nslice 0\nring\n0 0\n4 4\n4 0\n0 4\nslice 1\nring\n9 9\n1 1\n9 1\nend" }' >tangled.loft
+exits 0 "contours in disorder" "$ISOLOFT" plot tangled.loft --skeleton
+says "are cleaned first" out "The centres of 3 regions"
+for sample in "$samples"/v_pair_*.loft "$samples"/v_gap*.loft; do
+    exits 0 "the skeleton of a sample: ${sample##*/}" "$ISOLOFT" plot "$sample" --skeleton
+    picture "is a picture" out
+done
+
 # ---- the same bytes, any way ---------------------------------------------------
 
 exits 0 "standard input, standard output" sh -c '"$ISOLOFT" plot <matched.loft'
@@ -127,6 +188,9 @@ says "of a stack by number" out "Stack 1"
 says "and of nothing" out "empty"
 exits 0 "as a pair" "$ISOLOFT" plot bare.loft --pair 0
 picture "as well" out
+exits 0 "as a skeleton" "$ISOLOFT" plot bare.loft --skeleton
+picture "too" out
+says "without bones" out "The centres of 0 regions, joined by 0 links: 0 pieces"
 
 exits 3 "an SVG is no native stream" "$ISOLOFT" plot "$vase_svg"
 holds "and read makes one of it" grep -q "isoloft read" err
@@ -139,6 +203,8 @@ printf 'isoloft 1\nunit mm\nstack "</text><script>&\\"\047\\x1b[31m\\xe2\\x80\\x
 exits 0 "a name of markup" "$ISOLOFT" plot evil.loft
 picture "is text" out
 holds "and no markup" sh -c '! grep -q "<script" out && grep -q "&lt;/text&gt;&lt;script&gt;&amp;&quot;" out'
+exits 0 "as the name of a skeleton" "$ISOLOFT" plot evil.loft --skeleton
+picture "likewise" out
 holds "nothing in it steers a terminal" sh -c '! tr -d "\n" <out | LC_ALL=C grep -q "[[:cntrl:]]"'
 { printf 'isoloft 1\nunit mm\nstack "'; awk 'BEGIN { for (k = 0; k < 100000; k++) printf "漢字" }'; printf '"\nslice 0\nring\n0 0\n9 0\n9 9\nend\n'; } >long.loft
 exits 0 "a name of two hundred thousand letters" "$ISOLOFT" plot long.loft
@@ -147,7 +213,7 @@ holds "to what a page holds" test "$(wc -c <out)" -lt 3000
 for scale in 9e14 1e-30 1e-300; do
     awk -v s=$scale 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\"\nslice -" s "\nring\n-" s " -" s "\n" s " -" s "\n" s " " s "\nslice " s "\nring\n-" s " -" s "\n" s " -" s "\n" s " " s
         print "pair\nmatcher none\nend" }' >size.loft
-    for words in "" --slices "--pair 0"; do
+    for words in "" --slices "--pair 0" --skeleton; do
         # shellcheck disable=SC2086 # words of a line
         exits 0 "coordinates of $scale $words" "$ISOLOFT" plot size.loft $words
         picture "are a picture" out
@@ -170,6 +236,8 @@ pillar 500 400 >pillar.loft
 exits 0 "a sheet of five hundred pairs" sh -c '"$ISOLOFT" match pillar.loft --matcher none | "$ISOLOFT" plot'
 picture "is a picture" out
 holds "of sane size" test "$(wc -c <out)" -lt 3000000
+exits 0 "their skeleton" "$ISOLOFT" plot pillar.loft --skeleton
+holds "is smaller" test "$(wc -c <out)" -lt 2000000
 pillar 3 100000 >dense.loft
 exits 0 "outlines of a hundred thousand vertices" "$ISOLOFT" plot dense.loft --pair 1
 holds "lose what no page shows" test "$(wc -c <out)" -lt 30000
@@ -180,7 +248,7 @@ else
     skip "a full disk" "no /dev/full"
 fi
 if command -v rsvg-convert >/dev/null; then
-    for file in strip.svg sheet.svg; do
+    for file in strip.svg sheet.svg skeleton.svg; do
         holds "librsvg draws $file" rsvg-convert $file -o picture.png
     done
 else

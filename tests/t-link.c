@@ -166,11 +166,43 @@ static void take_sets(sets *s, const il_pair *p, const il_slice *lower, const il
     }
 }
 
+/* S turned round, in a frame, its last ring: what lies about it. */
+static il_slice complement_of(const il_slice *s)
+{
+    static const double corner[8] = { -1e9, -1e9, 1e9, -1e9, 1e9, 1e9, -1e9, 1e9 };
+    il_slice c;
+    assert_int_equal(il_slice_copy(&c, s, NULL), IL_OK);
+    for (size_t i = 0; i < c.n; i++)
+        il_ring_reverse(&c.ring[i]);
+    il_ring *frame = il_slice_add_ring(&c);
+    assert_non_null(frame);
+    for (int k = 0; k < 4; k++)
+        assert_true(il_ring_add(frame, corner[2 * k], corner[2 * k + 1], 0));
+    return c;
+}
+
 static il_pair linked(const il_slice *lower, const il_slice *upper)
 {
     il_pair p = IL_PAIR_INIT;
     assert_int_equal(il_link_slices(&p, lower, upper, NULL), IL_OK);
     return p;
+}
+
+/* Holes of one group that overlap are linked, and no others; to outer rings they open. */
+static void assert_holes_linked(const il_pair *p, const sets *group, const il_slice *lower, const il_slice *upper)
+{
+    il_slice a = complement_of(lower), b = complement_of(upper);
+    for (uint32_t i = 0; i < lower->n; i++)
+        for (uint32_t j = 0; j < upper->n; j++) {
+            bool hole_a = il_ring_area2(&lower->ring[i]) < 0, hole_b = il_ring_area2(&upper->ring[j]) < 0;
+            const il_link *link = find_link(p, i, j);
+            if (hole_a && hole_b)
+                assert_true((link != NULL) == (group->of[i] == group->of[lower->n + j] && regions_meet(&a, i, &b, j)));
+            if (link && (hole_a || hole_b))
+                assert_true(link->reason == (hole_a && hole_b ? IL_LINK_OVERLAP : IL_LINK_OPENING) && link->reach >= 0);
+        }
+    il_slice_free(&a);
+    il_slice_free(&b);
 }
 
 /* What il_link_slices makes of two clean slices is what the oracle says. */
@@ -189,7 +221,9 @@ static void assert_linked(const il_slice *lower, const il_slice *upper)
         join(&wanted, n_lower + j, n_lower + outer_of(upper, j));
     for (uint32_t i = 0; i < lower->n; i++)
         for (uint32_t j = 0; j < upper->n; j++) {
-            bool meet = outer_of(lower, i) == i && outer_of(upper, j) == j && regions_meet(lower, i, upper, j);
+            if (outer_of(lower, i) != i || outer_of(upper, j) != j)
+                continue;
+            bool meet = regions_meet(lower, i, upper, j);
             const il_link *link = find_link(&p, i, j);
             if (meet)
                 join(&wanted, i, n_lower + j);
@@ -198,6 +232,7 @@ static void assert_linked(const il_slice *lower, const il_slice *upper)
         }
     take_sets(&got, &p, lower, upper);
     assert_memory_equal(got.of, wanted.of, wanted.n * sizeof *wanted.of);
+    assert_holes_linked(&p, &got, lower, upper);
     il_pair_free(&p);
 }
 
@@ -255,6 +290,57 @@ static void rings_are_grouped_with_what_they_overlap(void **state)
         il_pair_free(&p);
         il_slice_free(&lower);
         il_slice_free(&upper);
+    }
+}
+
+/* "0 0 overlap, 1 0 opening 0.5": the links of P; TO[500]. */
+static char *links_text(const il_pair *p, char *to)
+{
+    static const char *const name[] = { "overlap", "near", "join", "opening" };
+    size_t n = 0;
+    *to = '\0';
+    for (size_t i = 0; i < p->n_groups; i++)
+        for (size_t k = 0; k < p->group[i].n_links; k++) {
+            const il_link *l = &p->group[i].link[k];
+            n += (size_t)snprintf(to + n, 500 - n, "%s%u %u %s", n > 0 ? ", " : "", (unsigned)l->lower, (unsigned)l->upper, name[l->reason]);
+            if (l->reach > 0)
+                n += (size_t)snprintf(to + n, 500 - n, " %.6g", l->reach);
+        }
+    return to;
+}
+
+#define NOTCHED "0 0, 9 0, 9 9, 5 9, 5 5, 4 5, 4 9, 0 9"
+
+/* Both ways up: what is lower is upper then. */
+static void holes_are_linked_with_holes_and_with_what_they_open_to(void **state)
+{
+    (void)state;
+    static const struct { const char *lower, *upper, *links, *turned; } c[] = {
+        { FRAMED, FRAMED, "0 0 overlap, 1 1 overlap", "0 0 overlap, 1 1 overlap" },
+        { FRAMED, SQUARE, "0 0 overlap", "0 0 overlap" },                      /* it closes */
+        { SQUARE "; 1 1, 1 4, 4 4, 4 1", SQUARE "; 5 5, 5 8, 8 8, 8 5", "0 0 overlap", "0 0 overlap" }, /* one closes, one begins */
+        { SQUARE "; 4 4, 4 8, 5 8, 5 4", NOTCHED, "0 0 overlap, 1 0 opening", "0 0 overlap, 0 1 opening" },   /* 3 of 4 */
+        { FRAMED, "0 0, 9 0, 9 9, 4.45 9, 4.45 6.8, 4.4 6.8, 4.4 9, 0 9", "0 0 overlap", "0 0 overlap" },      /* 0.01 of 25 */
+        { FRAMED, "0 0, 9 0, 9 9, 5 9, 5 6, 4 6, 4 9, 0 9", "0 0 overlap, 1 0 opening", "0 0 overlap, 0 1 opening" }, /* 1 of 25 */
+        { FRAMED, "0 0, 9 0, 9 9, 5 9, 5 6, 4 6, 4 9, 0 9; 3 3, 3 5, 6 5, 6 3", "0 0 overlap, 1 1 overlap", "0 0 overlap, 1 1 overlap" },
+        { FRAMED, "0 0, 9 0, 9 9, 0 9, 0 8.5, 6.5 8.5, 6.5 3.5, 0 3.5; 1 1, 1 3, 8 3, 8 1",                  /* most of it opens */
+          "0 0 overlap, 0 1 opening 1, 1 0 opening, 1 1 overlap", "0 0 overlap, 0 1 opening, 1 0 opening 1, 1 1 overlap" },
+        { FRAMED, "0 0, 9 0, 9 1, 0 1", "0 0 overlap, 1 0 opening 1", "0 0 overlap, 0 1 opening 1" },
+        { FRAMED, "0 0, 9 0, 9 1, 0 1; 0 8.5, 9 8.5, 9 9, 0 9", "0 0 overlap, 0 1 overlap, 1 0 opening 1",
+          "0 0 overlap, 0 1 opening 1, 1 0 overlap" },
+        { FRAMED, "3 3, 6 3, 6 6, 3 6", "", "" },                              /* no region is linked */
+        { FRAMED "; 3 3, 6 3, 6 6, 3 6", FRAMED "; 4 4, 7.5 4, 7.5 6, 4 6", "0 0 overlap, 0 2 overlap, 1 1 overlap, 2 2 overlap",
+          "0 0 overlap, 1 1 overlap, 2 0 overlap, 2 2 overlap" },
+    };
+    for (size_t k = 0; k < 2 * sizeof c / sizeof *c; k++) {
+        char text[500];
+        il_slice s[2] = { slice_of(c[k / 2].lower), slice_of(c[k / 2].upper) };
+        assert_true(il_slice_in_order(&s[0]) && il_slice_in_order(&s[1]));
+        il_pair p = linked(&s[k % 2], &s[1 - k % 2]);
+        assert_string_equal(links_text(&p, text), k % 2 ? c[k / 2].turned : c[k / 2].links);
+        il_pair_free(&p);
+        il_slice_free(&s[0]);
+        il_slice_free(&s[1]);
     }
 }
 
@@ -368,6 +454,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rings_are_grouped_with_what_they_overlap),
+        cmocka_unit_test(holes_are_linked_with_holes_and_with_what_they_open_to),
         cmocka_unit_test(tangles_are_linked_as_brute_force_says),
         cmocka_unit_test(hard_stacks_are_linked_as_brute_force_says),
         cmocka_unit_test(islands_in_holes_in_islands_keep_apart),

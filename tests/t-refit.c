@@ -228,6 +228,13 @@ static void assert_carried(const il_slice was_slice[2], const il_pair *was, cons
         assert_true(up == p->insertion[i].upper && was->insertion[i].x == p->insertion[i].x);
         assert_true(same_point(&was_slice[up], &was->insertion[i].at, &is->slice[up], &p->insertion[i].at));
     }
+    assert_int_equal(was->n_cuts, p->n_cuts);
+    for (size_t i = 0; i < was->n_cuts; i++) {
+        bool up = was->cut[i].upper;
+        assert_true(up == p->cut[i].upper && same_ring(&was_slice[up], was->cut[i].ring, &is->slice[up], p->cut[i].ring));
+        assert_int_equal(p->cut[i].n, 2);
+        assert_memory_equal(was->cut[i].xy, p->cut[i].xy, 4 * sizeof(double));
+    }
     assert_phi_in_order(p);
     for (size_t i = 0; i < was->n_phi; i++) {
         size_t found = 0;
@@ -270,9 +277,20 @@ static il_slice noisy_boxes(int n, double size, double noise, uint64_t *seed)
     return s;
 }
 
+static void add_cut(il_pair *p, bool upper, uint32_t ring)
+{
+    assert_true(il_grow(&p->cut, &p->cap_cuts, p->n_cuts + 1, sizeof *p->cut));
+    il_cut *c = &p->cut[p->n_cuts++];
+    *c = (il_cut){ .upper = upper, .ring = ring, .n = 2 };
+    assert_true(il_grow(&c->xy, &c->cap, 2, 2 * sizeof *c->xy));
+    memcpy(c->xy, (double[]){ 1, ring, 3, upper }, 4 * sizeof(double));
+}
+
 static il_pair copy_of_match(const il_slice slice[2], bool insert)
 {
     il_pair p = matched(slice);
+    for (uint32_t r = 0; insert && r < 2 && r < slice[0].n && r < slice[1].n; r++)
+        add_cut(&p, r == 0, r);
     for (uint32_t r = 0; insert && r < 2 && r < slice[1].n; r++) {
         assert_true(il_grow(&p.insertion, &p.cap_insertions, p.n_insertions + 1, sizeof *p.insertion));
         p.insertion[p.n_insertions++] = (il_insertion){ r == 1, { r, 2, .25 }, 7, 8 };

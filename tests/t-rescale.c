@@ -7,7 +7,7 @@
 
 /* Keeps what arrives last. */
 typedef struct keeper { il_sink sink; il_unit unit; double z, x, y, origin, usual, scale; bool has_crs, gap;
-                        size_t n_spots; il_spot spot[2]; } keeper;
+                        size_t n_spots; il_spot spot[2]; double cut[2]; } keeper;
 
 static il_status keep_begin(il_sink *s, const il_stack_head *h, il_error *err)
 {
@@ -36,7 +36,12 @@ static il_status keep_slice(il_sink *s, il_slice *slice, il_error *err)
 
 static il_status keep_pair(il_sink *s, il_pair *p, il_error *err)
 {
-    ((keeper *)s)->gap = p->gap;
+    keeper *k = (keeper *)s;
+    if (p->n_cuts > 0) {
+        k->cut[0] = p->cut[0].xy[2];
+        k->cut[1] = p->cut[0].xy[3];
+    }
+    k->gap = p->gap;
     (void)err;
     return IL_OK;
 }
@@ -71,6 +76,9 @@ static il_status rescale(il_unit from, il_unit to, double z, double x, double y,
     st = st == IL_OK ? r->stack_begin(r, &head, err) : st;
     st = st == IL_OK ? r->slice(r, &slice, err) : st;
     il_pair gap = { .gap = true };
+    il_cut cut = { .xy = (double[]){ 0, 0, x, y }, .n = 2 };
+    il_pair with_cut = { .cut = &cut, .n_cuts = 1 };
+    st = st == IL_OK ? r->pair(r, &with_cut, err) : st;
     st = st == IL_OK ? r->pair(r, &gap, err) : st;
     st = st == IL_OK ? r->stack_end(r, err) : st;
     il_slice_free(&slice);
@@ -92,6 +100,7 @@ static void lengths_change_with_their_unit(void **state)
         assert_int_equal(rescale(c[k].from, c[k].to, c[k].x, c[k].x, -c[k].x, &to, &report, &err), IL_OK);
         assert_int_equal(to.unit, c[k].to);
         assert_true(to.z == c[k].y && to.x == c[k].y && to.y == -c[k].y && to.origin == c[k].y);
+        assert_true(fabs(to.cut[0] - to.x) <= 1e-15 * to.x && to.cut[1] == -to.cut[0]);
         assert_false(to.has_crs);
         assert_true(fabs(to.usual - 3 * to.scale) <= 1e-15 * to.usual && fabs(to.scale * c[k].x - c[k].y) <= 1e-15 * c[k].y && to.gap);
         assert_int_equal(report.n_notes, 2);

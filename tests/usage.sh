@@ -28,7 +28,9 @@ for word in --help --formats --version; do echo $word; done | sort -u - told | g
 sort -u known | grep -v -x -e --no- >known.all
 holds "help and manual know the same options" diff known.all told.all
 
-for line in "--frame - x" "--gap close x" "--thickness 0 x" "--matcher x y" "plot x -o y.png" "plot x -t stl" "x -o y.zip" "mesh --spacing 3 x" "-t nonsense x" "x --threads 0" "- -"; do
+for line in "--frame - x" "--gap close x" "--thickness 0 x" "--matcher x y" "plot x -o y.png" "plot x -t stl" "x -o y.zip" \
+    "mesh --spacing 3 x" "-t nonsense x" "x --threads 0" "- -" "--pieces many x" "--pieces" "read --pieces few x" "--links - -" \
+    "mesh --links l --matcher none x" "match x -o y --links-out y" "info --links-out l x" "plot --links l x" "--list --links-out l x"; do
     # shellcheck disable=SC2086 # words of a line
     exits 2 "refused: $line" "$ISOLOFT" $line
     holds "in one line" one_error
@@ -98,7 +100,7 @@ for example in example? example??; do
         env PATH="$PWD/bin:$PATH" sh -e "./$example"
 done
 for file in vase.stl vase.ply vase.obj pairs.loft parts/0001-vase.ply parts/index.json account.json organs/0003-Tube.ply vessel.obj cone.stl pieces.stl plate.stl \
-    slices.svg pair.svg; do
+    slices.svg pair.svg vase.links linked.stl; do
     holds "and leaves $file" test -s $file
 done
 holds "the README's pipe runs" sh -c 'sed -n "s|^    ./isoloft read|isoloft read|p" "$srcdir/README.md" |

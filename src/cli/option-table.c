@@ -52,6 +52,18 @@ static il_status set_pairs(il_options *o, const char *value, bool on, il_error *
     return set_path(&o->pairs, value, "--pairs", err);
 }
 
+static il_status set_links(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return set_path(&o->links, value, "--links", err);
+}
+
+static il_status set_links_out(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)on;
+    return set_path(&o->links_out, value, "--links-out", err);
+}
+
 static il_status add_pattern(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
@@ -366,25 +378,31 @@ static il_status set_lattice(il_options *o, const char *value, bool on, il_error
     return IL_OK;
 }
 
-static const char two_pictures[] = "--slices and --pair are two pictures: give one of them";
+static il_status set_picture(il_options *o, il_picture what, bool on, il_error *err)
+{
+    if (on && o->picture.what != IL_PICTURE_AUTO && o->picture.what != what)
+        return il_fail(err, IL_E_USAGE, 0, "--slices, --pair and --skeleton are different pictures: give one of them");
+    if (on || o->picture.what == what)
+        o->picture.what = on ? what : IL_PICTURE_AUTO;
+    return IL_OK;
+}
 
 static il_status set_slices(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)value;
-    if (on && o->picture.what == IL_PICTURE_PAIR)
-        return il_fail(err, IL_E_USAGE, 0, two_pictures);
-    if (on || o->picture.what == IL_PICTURE_SLICES)
-        o->picture.what = on ? IL_PICTURE_SLICES : IL_PICTURE_AUTO;
-    return IL_OK;
+    return set_picture(o, IL_PICTURE_SLICES, on, err);
+}
+
+static il_status set_skeleton(il_options *o, const char *value, bool on, il_error *err)
+{
+    (void)value;
+    return set_picture(o, IL_PICTURE_SKELETON, on, err);
 }
 
 static il_status set_pair(il_options *o, const char *value, bool on, il_error *err)
 {
-    (void)on;
-    if (o->picture.what == IL_PICTURE_SLICES)
-        return il_fail(err, IL_E_USAGE, 0, two_pictures);
-    o->picture.what = IL_PICTURE_PAIR;
-    return parse_count(value, 0, LIMIT_MOST, &o->picture.pair, "--pair", err);
+    il_status st = set_picture(o, IL_PICTURE_PAIR, on, err);
+    return st == IL_OK ? parse_count(value, 0, LIMIT_MOST, &o->picture.pair, "--pair", err) : st;
 }
 
 static il_status set_threads(il_options *o, const char *value, bool on, il_error *err)
@@ -486,6 +504,8 @@ const il_option il_option_table[] = {
       NULL, "draw the pair above slice K, from 0", set_pair },
     { 0, "slices", NULL, IL_OPTION_SWITCH, PLOT,
       NULL, "draw all slices side by side", set_slices },
+    { 0, "skeleton", NULL, IL_OPTION_SWITCH, PLOT,
+      NULL, "draw how the whole stack hangs together", set_skeleton },
     { 0, "list", NULL, IL_OPTION_SWITCH, READERS,
       "a table of what is in the input; no mesh", "a table of what is in the input; no mesh", set_list },
     { 0, "roi", "PATTERN", IL_OPTION_VALUE, STREAMS | PLOT,
@@ -541,8 +561,12 @@ const il_option il_option_table[] = {
       NULL, "of single slices, input's unit; else a spacing", set_thickness },
     { 0, "matcher", "ffd|none", IL_OPTION_VALUE, LOFTERS | MATCH,
       NULL, "how slices are matched: deformed, or as they lie", set_matcher },
-    { 0, "pieces", "few|overlap", IL_OPTION_VALUE_OR_NO, LOFTERS | MATCH,
+    { 0, "pieces", "few|overlap", IL_OPTION_VALUE_OR_NO, LOFTERS | MATCH | PLOT,
       NULL, "link across gaps: far, for vessels, or never", set_pieces },
+    { 0, "links", "FILE", IL_OPTION_VALUE, LOFTERS | MATCH,
+      NULL, "rings belong together as FILE says", set_links },
+    { 0, "links-out", "FILE", IL_OPTION_VALUE, CONVERT | MATCH | MESH,
+      NULL, "also write which rings belong together", set_links_out },
     { 0, "lattice", NULL, IL_OPTION_SWITCH, CONVERT | MATCH | MESH,
       NULL, "pair records hold the lattices too, for plots", set_lattice },
     { 0, "groups", "stack|slab", IL_OPTION_VALUE, CONVERT | MESH,

@@ -169,9 +169,9 @@ static il_status settle_format(il_options *o, il_error *err)
 static il_status check_outputs_differ(const il_options *o, il_error *err)
 {
     bool writes = o->verb != IL_VERB_INFO && o->verb != IL_VERB_CHECK && !o->list;
-    const char *path[3] = { o->output || !writes ? o->output : "-", o->pairs, o->json_path };
-    for (int i = 0; i < 3; i++)
-        for (int k = i + 1; k < 3; k++)
+    const char *path[4] = { o->output || !writes ? o->output : "-", o->pairs, o->json_path, o->links_out };
+    for (int i = 0; i < 4; i++)
+        for (int k = i + 1; k < 4; k++)
             if (path[i] && path[k] && strcmp(path[i], path[k]) == 0)
                 return il_fail(err, IL_E_USAGE, 0, "two outputs cannot both go to '%.100s'", path[i]);
     return IL_OK;
@@ -188,14 +188,23 @@ static il_status check_inputs(const il_options *o, il_error *err)
             return il_fail(err, IL_E_USAGE, 0, "an input's name is empty");
         n_dashes += strcmp(o->input[k], "-") == 0;
     }
+    n_dashes += o->links && strcmp(o->links, "-") == 0;
     return n_dashes <= 1 ? IL_OK : il_fail(err, IL_E_USAGE, 0, "standard input (-) can be read once only");
 }
 
 static il_status check_list(const il_options *o, il_error *err)
 {
-    if (o->list && (o->output || o->pairs))
+    if (o->list && (o->output || o->pairs || o->links_out))
         return il_fail(err, IL_E_USAGE, 0, "--list writes its table alone, to standard output, and takes no --%s",
-                       o->output ? "output" : "pairs");
+                       o->output ? "output" : o->pairs ? "pairs" : "links-out");
+    return IL_OK;
+}
+
+/* Slices that are compared as they lie have no links. */
+static il_status check_links(const il_options *o, il_error *err)
+{
+    if (o->matcher == IL_MATCHER_NONE && (o->links || o->links_out))
+        return il_fail(err, IL_E_USAGE, 0, "--links%s is of no use with --matcher none, which links nothing", o->links ? "" : "-out");
     return IL_OK;
 }
 
@@ -212,6 +221,14 @@ static il_status settle_relief(il_options *o, il_error *err)
     return IL_OK;
 }
 
+/* The skeleton is the one picture for which links are looked for. */
+static il_status check_pieces(const il_options *o, il_error *err)
+{
+    if (o->verb == IL_VERB_PLOT && il_options_given(o, "pieces") && o->picture.what != IL_PICTURE_SKELETON)
+        return il_fail(err, IL_E_USAGE, 0, "--pieces goes with --skeleton: other pictures show what the stream says");
+    return IL_OK;
+}
+
 /* What can only be told when all of the line is known. */
 static il_status check_together(il_options *o, il_error *err)
 {
@@ -222,6 +239,10 @@ static il_status check_together(il_options *o, il_error *err)
     il_status st = check_inputs(o, err);
     if (st == IL_OK)
         st = check_list(o, err);
+    if (st == IL_OK)
+        st = check_pieces(o, err);
+    if (st == IL_OK)
+        st = check_links(o, err);
     if (st == IL_OK)
         st = settle_format(o, err);
     if (st == IL_OK)

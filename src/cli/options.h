@@ -43,6 +43,7 @@ typedef struct il_options {
     const il_reader *from;
     const il_writer *to;
     const char *output, *pairs, *json_path;
+    const char *links, *links_out;  /* of --links and --links-out */
     const char **pattern;       /* of --roi and --stack, in order: see cli/select.h */
     size_t n_patterns, cap_patterns;
     bool json, quiet, verbose, strict, convert_unit, groups_by_slab, list, ras;

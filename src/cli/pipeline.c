@@ -9,12 +9,15 @@
 #include "cli/progress.h"
 #include "cli/select.h"
 #include "cli/stopwatch.h"
+#include "input/links-file.h"
 #include "match/linker.h"
 #include "match/matcher.h"
 #include "match/refit.h"
+#include "match/unlinked.h"
 #include "model/ras.h"
 #include "model/rescale.h"
 #include "model/tee.h"
+#include "output/links.h"
 #include "region/clean.h"
 #include "region/joiner.h"
 #include "region/keyhole.h"
@@ -32,8 +35,10 @@ typedef struct pipeline {
     size_t n_sources;
     const il_reader *reader;
     il_destination *destination;
-    il_output *pairs;
-    il_sink *pairs_writer, *lofter, *relief, *rounder, *tee, *matcher, *linker, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler;
+    il_output *pairs, *links_out;
+    il_given given;
+    il_sink *pairs_writer, *links_writer, *lofter, *relief, *rounder, *tee, *links_tee, *matcher, *linker, *unlinked, *gapper;
+    il_sink *measure, *joiner, *cleaner, *ras, *rescaler;
     il_sink *select, *guard, *first;
     il_frame_file outline;
     il_refit *refit;
@@ -152,6 +157,10 @@ static il_status open_outputs(pipeline *p, il_error *err)
         st = il_output_open(&p->pairs, o->pairs, err);
     if (st == IL_OK && p->pairs)
         st = il_writer_loft.contours_new(&p->pairs_writer, p->pairs, err);
+    if (st == IL_OK && o->links_out)
+        st = il_output_open(&p->links_out, o->links_out, err);
+    if (st == IL_OK && p->links_out)
+        st = il_links_writer_new(&p->links_writer, p->links_out, &p->account->report, err);
     return st;
 }
 
@@ -219,6 +228,15 @@ static il_status build_tee(pipeline *p, il_error *err)
     return st;
 }
 
+static il_status build_links_tee(pipeline *p, il_error *err)
+{
+    if (!p->links_writer)
+        return IL_OK;
+    il_status st = il_tee_new(&p->links_tee, p->links_writer, p->first, err);
+    p->first = st == IL_OK ? p->links_tee : p->first;
+    return st;
+}
+
 static il_status build_matcher(pipeline *p, il_error *err)
 {
     if (!p->plan->match)
@@ -231,11 +249,17 @@ static il_status build_matcher(pipeline *p, il_error *err)
 
 static il_status build_linker(pipeline *p, il_error *err)
 {
-    if (!p->plan->match || p->options->matcher == IL_MATCHER_NONE || p->options->pieces == IL_PIECES_OVERLAP)
+    const il_options *a = p->options;
+    bool left = a->matcher == IL_MATCHER_NONE || (a->pieces == IL_PIECES_OVERLAP && !a->links);
+    if (!p->plan->link && (!p->plan->match || left))
         return IL_OK; /* the matcher links what overlaps itself */
-    il_linkage_options o = il_linkage_options_for(p->options->pieces);
-    il_status st = il_linker_new(&p->linker, &o, p->first, err);
+    il_linkage_options o = il_linkage_options_for(a->pieces);
+    il_status st = il_linker_new(&p->linker, &o, a->links ? &p->given : NULL, p->first, &p->account->report, err);
     p->first = st == IL_OK ? p->linker : p->first;
+    if (st != IL_OK || !p->plan->link)
+        return st;
+    st = il_unlinked_new(&p->unlinked, p->first, err);
+    p->first = st == IL_OK ? p->unlinked : p->first;
     return st;
 }
 
@@ -271,7 +295,7 @@ static il_status build_joiner(pipeline *p, il_error *err)
 
 static il_status build_cleaner(pipeline *p, il_error *err)
 {
-    if (p->plan->draw)
+    if (p->plan->draw && !p->plan->link)
         return IL_OK;
     il_clean_options c = { .keyhole = p->options->keyhole };
     if (!p->options->has_keyhole && p->reader->is_patient) {
@@ -315,8 +339,8 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_matcher, build_linker, build_gapper, build_measure, build_joiner, build_cleaner, build_ras, build_rescaler,
-        build_select };
+        build_rounder, build_tee, build_links_tee, build_matcher, build_linker, build_gapper, build_measure, build_joiner,
+        build_cleaner, build_ras, build_rescaler, build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
     p->first = il_account_contours(p->account, end);
@@ -336,10 +360,12 @@ static void free_pipeline(pipeline *p)
     il_joiner_free(p->joiner);
     il_measure_free(p->measure);
     il_gapper_free(p->gapper);
+    il_unlinked_free(p->unlinked);
     il_linker_free(p->linker);
     il_matcher_free(p->matcher);
     il_refit_free(p->refit);
     il_tee_free(p->tee);
+    il_tee_free(p->links_tee);
     if (p->rounder)
         il_cleaner_free(p->rounder);
     il_frame_file_guard_free(p->guard);
@@ -349,7 +375,10 @@ static void free_pipeline(pipeline *p)
         il_lofter_free(p->lofter);
     if (p->pairs_writer)
         il_writer_loft.contours_free(p->pairs_writer);
+    il_links_writer_free(p->links_writer);
+    il_given_free(&p->given);
     il_output_discard(p->pairs);
+    il_output_discard(p->links_out);
     il_destination_free(p->destination);
     for (size_t k = 0; k < p->n_sources; k++)
         il_source_close(p->source[k]);
@@ -358,17 +387,42 @@ static void free_pipeline(pipeline *p)
 
 /* ---- the run ------------------------------------------------------------- */
 
+/* *SIDE is what goes beside the output, or null. */
+static il_status commit_side(il_output **side, il_error *err)
+{
+    il_output *o = *side;
+    *side = NULL;
+    return o ? il_output_commit(o, err) : IL_OK;
+}
+
 static il_status commit(pipeline *p, il_error *err)
 {
     if (!p->destination)
         return IL_OK;
     il_status st = il_destination_commit(p->destination, err);
-    if (st == IL_OK && p->pairs) {
-        il_output *pairs = p->pairs;
-        p->pairs = NULL;
-        st = il_output_commit(pairs, err);
-    }
+    if (st == IL_OK)
+        st = commit_side(&p->pairs, err);
+    return st == IL_OK ? commit_side(&p->links_out, err) : st;
+}
+
+static il_status read_links(pipeline *p, il_error *err)
+{
+    il_source *source = NULL;
+    if (!p->options->links)
+        return IL_OK;
+    il_status st = il_source_open(&source, p->options->links, err);
+    if (st == IL_OK)
+        st = il_links_file_read(&p->given, source, p->options->read.max_line, err);
+    il_source_close(source);
     return st;
+}
+
+/* A name may be misspelt, and what was said of it be missed late. */
+static void say_missed(const pipeline *p)
+{
+    for (size_t k = 0; p->linker && p->options->links && (k = il_linker_missed(p->linker, k)) < p->given.n_stacks; k++)
+        il_message_note(p->account->options.voice, "%s:%ld: there is no stack %ld '%.80s'", p->given.file, p->given.stack[k].line,
+                        p->given.stack[k].number, p->given.stack[k].name);
 }
 
 static il_status run(pipeline *p, il_error *err)
@@ -383,6 +437,8 @@ static il_status run(pipeline *p, il_error *err)
     if (st == IL_OK && p->options->frame_file)
         st = il_frame_file_read(&p->outline, p->options->frame_file, &read, &p->account->report, err);
     if (st == IL_OK)
+        st = read_links(p, err);
+    if (st == IL_OK)
         st = open_outputs(p, err);
     /* A native stream without stacks is whole, and is handed on as one. */
     p->account->options.empty_allowed = p->plan->survey || (p->reader == &il_reader_loft && !p->plan->loft && !p->plan->draw);
@@ -392,6 +448,8 @@ static il_status run(pipeline *p, il_error *err)
         st = p->reader->read(p->source, p->n_sources, &read, p->first, &p->account->report, err);
     if (st != IL_OK)
         il_error_set_file(err, p->account->options.input);
+    else
+        say_missed(p);
     return st == IL_OK ? commit(p, err) : st;
 }
 

@@ -13,9 +13,10 @@
 
 /* native_only: the input has to be a native stream.  match, loft: these stages
  * take part.  survey: nothing is written, and no stack ends the run.  draw: a
- * picture is made of the contours as they are; none is cleaned. */
+ * picture is made of the contours as they are; none is cleaned, but for link: they
+ * are, and what belongs together is found where the stream does not say it. */
 typedef struct il_plan {
-    bool native_only, match, loft, survey, draw;
+    bool native_only, match, loft, survey, draw, link;
 } il_plan;
 
 /* What a run has found out: the account (to il_account_free), and its time. */

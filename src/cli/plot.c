@@ -4,6 +4,6 @@
 
 il_status il_command_plot(const il_options *o, il_voice *v, il_error *err)
 {
-    il_plan plan = { .native_only = true, .draw = true };
+    il_plan plan = { .native_only = true, .draw = true, .link = o->picture.what == IL_PICTURE_SKELETON };
     return il_command_run_plan(o, &plan, v, err);
 }

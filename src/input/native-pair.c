@@ -330,6 +330,55 @@ static il_status take_insert(il_native *n)
     return IL_OK;
 }
 
+/* ---- cuts ------------------------------------------------------------------------- */
+
+static il_cut *open_cut(il_native *n)
+{
+    return &n->pair.cut[n->pair.n_cuts - 1];
+}
+
+static il_status take_cut(il_native *n)
+{
+    il_pair *p = &n->pair;
+    il_cut c = { 0 };
+    const il_native_shape *s;
+    il_status st = take_side(n, &s, &c.upper);
+    if (st == IL_OK)
+        st = take_ring_index(n, s, &c.ring);
+    if (st == IL_OK)
+        st = il_native_count_row(n);
+    if (st != IL_OK)
+        return st;
+    if (!il_grow(&p->cut, &p->cap_cuts, p->n_cuts + 1, sizeof *p->cut))
+        return il_native_nomem(n);
+    p->cut[p->n_cuts++] = c;
+    n->in = IL_IN_CUT;
+    n->rows_line = n->at.line;
+    return IL_OK;
+}
+
+il_status il_native_take_cut_row(il_native *n)
+{
+    il_cut *c = open_cut(n);
+    double xy[2] = { 0 };
+    il_status st = il_scan_numbers(&n->at, xy, 2, n->err);
+    if (st == IL_OK)
+        st = il_native_count_row(n);
+    if (st != IL_OK)
+        return st;
+    if (!il_grow(&c->xy, &c->cap, c->n + 1, 2 * sizeof *c->xy))
+        return il_native_nomem(n);
+    memcpy(&c->xy[2 * c->n++], xy, sizeof xy);
+    return IL_OK;
+}
+
+il_status il_native_close_cut(il_native *n)
+{
+    if (open_cut(n)->n < 2)
+        return il_native_fail_at(n, n->rows_line, "this cut has %zu of the two or more points that it needs", open_cut(n)->n);
+    return IL_OK;
+}
+
 const il_native_keyword il_native_pair_keywords[] = {
     { "pair", IL_IN_STACK, take_pair },
     { "gap", IL_IN_STACK, take_gap },
@@ -339,5 +388,6 @@ const il_native_keyword il_native_pair_keywords[] = {
     { "near", IL_IN_PAIR, take_near },
     { "unmatched", IL_IN_PAIR, take_unmatched },
     { "insert", IL_IN_PAIR, take_insert },
+    { "cut", IL_IN_PAIR, take_cut },
     { NULL, IL_IN_STREAM, NULL },
 };

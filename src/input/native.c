@@ -23,6 +23,7 @@ static const struct {
     [IL_IN_GROUP]   = { IL_IN_PAIR,   "a group",                    il_native_close_group },
     [IL_IN_LATTICE] = { IL_IN_GROUP,  "a lattice",                  il_native_close_lattice },
     [IL_IN_PHI]     = { IL_IN_PAIR,   "phi",                        il_native_close_phi },
+    [IL_IN_CUT]     = { IL_IN_PAIR,   "a cut",                      il_native_close_cut },
     [IL_IN_GAP]     = { IL_IN_STACK,  "a gap",                      il_native_close_gap },
 };
 
@@ -133,6 +134,7 @@ static il_status take_row(il_native *n)
     case IL_IN_RING:    st = il_native_take_vertex(n); break;
     case IL_IN_LATTICE: st = il_native_take_lattice_row(n); break;
     case IL_IN_PHI:     st = il_native_take_phi_row(n); break;
+    case IL_IN_CUT:     st = il_native_take_cut_row(n); break;
     default:            return il_native_fail(n, "a row of numbers cannot stand in %s", records[n->in].name);
     }
     return st == IL_OK && n->at.p < n->at.end ? il_scan_end(&n->at, n->err) : st;

@@ -12,7 +12,7 @@
 /* The record that is open; each stands in the one that il_native_parent names. */
 typedef enum il_native_record {
     IL_IN_STREAM, IL_IN_STACK, IL_IN_HEAD, IL_IN_SLICE, IL_IN_RING,
-    IL_IN_PAIR, IL_IN_GROUP, IL_IN_LATTICE, IL_IN_PHI, IL_IN_GAP
+    IL_IN_PAIR, IL_IN_GROUP, IL_IN_LATTICE, IL_IN_PHI, IL_IN_CUT, IL_IN_GAP
 } il_native_record;
 
 /* What a pair record needs to know of a slice that was handed on: the number of
@@ -56,7 +56,7 @@ typedef struct il_native {
     il_pair pair;
     bool has_matcher;
     unsigned group_seen;
-    long group_line, rows_line;     /* where the open group, lattice or phi began */
+    long group_line, rows_line;     /* where the open group, lattice, phi or cut began */
     size_t rows;                    /* of the pair record */
     uint32_t phi_rings;             /* phi blocks begun */
 } il_native;
@@ -86,8 +86,10 @@ il_status il_native_check_geographic(il_native *n);  /* when the header closes *
 
 il_status il_native_take_lattice_row(il_native *n);
 il_status il_native_take_phi_row(il_native *n);
+il_status il_native_take_cut_row(il_native *n);
 il_status il_native_close_lattice(il_native *n);
 il_status il_native_close_phi(il_native *n);
+il_status il_native_close_cut(il_native *n);
 il_status il_native_close_group(il_native *n);
 il_status il_native_close_pair(il_native *n);
 il_status il_native_close_gap(il_native *n);

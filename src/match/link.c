@@ -4,6 +4,7 @@
 #include "base/forest.h"
 #include "bridge/boxes.h"
 #include "bridge/predicates.h"
+#include "match/complement.h"
 #include "match/under.h"
 
 #include <math.h>
@@ -287,7 +288,8 @@ static bool make_groups(il_pair *p, uint32_t *up, uint32_t *group_of, uint32_t n
 il_status il_link_group(il_pair *pair, const il_slice *lower, const il_slice *upper, const il_link *link, size_t n, il_error *err)
 {
     uint32_t n_rings = (uint32_t)(lower->n + upper->n);
-    uint32_t *outer = il_alloc(n_rings, sizeof *outer), *up = il_alloc(n_rings, sizeof *up), *group_of = il_alloc(n_rings, sizeof *group_of);
+    uint32_t *outer = il_alloc(n_rings, sizeof *outer), *up = il_alloc(n_rings, sizeof *up);
+    uint32_t *group_of = il_alloc(n_rings, sizeof *group_of);
     il_status st = outer && up && group_of ? il_link_outers(lower, outer, err) : il_fail_nomem(err);
     if (st == IL_OK)
         st = il_link_outers(upper, outer + lower->n, err);
@@ -312,6 +314,8 @@ il_status il_link_slices(il_pair *pair, const il_slice *lower, const il_slice *u
         st = il_fail_nomem(err);
     for (size_t i = 0; st == IL_OK && i < n; i++)
         link[i] = (il_link){ at[2 * i], at[2 * i + 1], IL_LINK_OVERLAP, 0 };
+    if (st == IL_OK)
+        st = il_complement_link(&link, &n, lower, upper, err);
     if (st == IL_OK)
         st = il_link_group(pair, lower, upper, link, n, err);
     il_free(at);

@@ -17,8 +17,8 @@ il_status il_link_outers(const il_slice *s, uint32_t *outer, il_error *err);
  * O(n log n) for contours, after the pairs of edges whose boxes meet.  IL_E_NOMEM. */
 il_status il_link_overlaps(const il_slice *lower, const il_slice *upper, uint32_t **link, size_t *n, il_error *err);
 
-/* Append all groups of LOWER and UPPER to PAIR, as link[n] (between outer rings, rising) joins
- * regions: every ring is in one, rings rising; groups by their first lower ring, behind them
+/* Append all groups of LOWER and UPPER to PAIR, as link[n] (rising, between outer rings, and as
+ * il_complement_link adds them) joins regions: every ring is in one, rings rising; groups by their first lower ring, behind them
  * those without by their first upper ring.  IL_E_NOMEM: PAIR is only good to be freed. */
 il_status il_link_group(il_pair *pair, const il_slice *lower, const il_slice *upper, const il_link *link, size_t n, il_error *err);
 

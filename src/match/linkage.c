@@ -4,6 +4,7 @@
 #include "base/forest.h"
 #include "base/nearest.h"
 #include "bridge/boxes.h"
+#include "match/complement.h"
 #include "match/link.h"
 
 #include <math.h>
@@ -23,12 +24,15 @@ typedef struct candidate {
 } candidate;
 
 /* region[first[k]] .. region[first[k + 1]] are those of slice k; of[ring_first[k] + ring]: a
- * ring's; region_at: of one slice's outer rings, while they are numbered.  parts: forest over the regions; groups: the same per slab, region r as the lower
- * one of its slab at 2 r, as the upper one at 2 r + 1.  volume: of the parts, at their leaders.
- * waiting[leader], next[candidate]: candidates that were refused as their part was then. */
+ * ring's; region_at: of one slice's outer rings, while they are numbered.  parts: forest over the
+ * regions; groups: the same per slab, region r as the lower one of its slab at 2 r, as the upper one
+ * at 2 r + 1.  volume: of the parts, at their leaders.
+ * waiting[leader], next[2 * candidate + side]: candidates that were refused as their part was then, in lists;
+ * who is in none is its own next. */
 typedef struct linking {
     const il_slice *slice;
     size_t n;
+    const il_pair *const *known;
     const il_linkage_options *o;
     region *region;          size_t n_regions;
     size_t *first, *ring_first;
@@ -45,7 +49,7 @@ il_linkage_options il_linkage_options_for(il_pieces pieces)
 {
     il_linkage_options o = IL_LINKAGE_OPTIONS_INIT;
     if (pieces == IL_PIECES_FEW)
-        o.reach = 4;
+        o = (il_linkage_options){ 0, 4, 0.1, INFINITY };
     else if (pieces == IL_PIECES_OVERLAP)
         o.free = o.reach = 0;
     return o;
@@ -170,8 +174,9 @@ static double distance(const linking *l, const il_nearest t[2], const region *a,
     for (int side = 0; side < 2; side++) {
         const region *from = side == 0 ? a : b, *to = side == 0 ? b : a;
         const il_ring *r = &l->slice[from->slice].ring[from->ring];
+        size_t class = (size_t)(to - l->region) - l->first[to->slice];
         for (size_t i = 0; i < r->n; i++)
-            least = fmin(least, il_nearest_distance(&t[1 - side], (size_t)(to - l->region) - l->first[to->slice], r->xy[2 * i], r->xy[2 * i + 1]));
+            least = fmin(least, il_nearest_distance(&t[1 - side], class, r->xy[2 * i], r->xy[2 * i + 1]));
     }
     return least;
 }
@@ -244,12 +249,12 @@ static int compare_candidates(const void *pa, const void *pb)
     return (a->b > b->b) - (a->b < b->b);
 }
 
-static il_status find_candidates(linking *l, const bool *parted, il_error *err)
+static il_status find_candidates(linking *l, il_error *err)
 {
     il_status st = IL_OK;
     for (size_t k = 0; k + 1 < l->n && st == IL_OK; k++) {
         size_t from = l->n_candidates;
-        if (parted[k])
+        if (l->known[k])
             continue;
         st = find_overlaps(l, k, err);
         if (st == IL_OK && l->o->reach > 0)
@@ -262,17 +267,59 @@ static il_status find_candidates(linking *l, const bool *parted, il_error *err)
 
 /* ---- which of them are links ------------------------------------------------------ */
 
-static void join(linking *l, uint32_t i)
+static void join_parts(linking *l, uint32_t a, uint32_t b)
 {
-    const candidate *c = &l->candidate[i];
-    uint32_t p = il_forest_leader(l->parts, c->a), q = il_forest_leader(l->parts, c->b);
-    l->taken[i] = 1;
-    il_forest_join(l->groups, 2 * c->a, 2 * c->b + 1);
+    uint32_t p = il_forest_leader(l->parts, a), q = il_forest_leader(l->parts, b);
     if (p == q)
         return;
     il_forest_join(l->parts, p, q);
     uint32_t leader = il_forest_leader(l->parts, p), other = leader == p ? q : p;
     l->volume[leader] += l->volume[other];
+}
+
+static void join(linking *l, uint32_t i)
+{
+    const candidate *c = &l->candidate[i];
+    l->taken[i] = 1;
+    il_forest_join(l->groups, 2 * c->a, 2 * c->b + 1);
+    join_parts(l, c->a, c->b);
+}
+
+/* What a group of the record of SLAB names is one part. */
+static void join_group(linking *l, size_t slab, const il_group *g)
+{
+    const uint32_t *lower = l->of + l->ring_first[slab], *upper = l->of + l->ring_first[slab + 1];
+    uint32_t one = g->n_lower > 0 ? lower[g->lower[0]] : upper[g->upper[0]];
+    for (size_t i = 0; i < g->n_lower; i++)
+        join_parts(l, one, lower[g->lower[i]]);
+    for (size_t i = 0; i < g->n_upper; i++)
+        join_parts(l, one, upper[g->upper[i]]);
+}
+
+/* A record without groups leaves it to the overlaps what belongs together. */
+static il_status join_overlapping(linking *l, size_t slab, il_error *err)
+{
+    uint32_t *link = NULL;
+    size_t n = 0;
+    il_status st = il_link_overlaps(&l->slice[slab], &l->slice[slab + 1], &link, &n, err);
+    for (size_t i = 0; i < n && st == IL_OK; i++)
+        join_parts(l, l->of[l->ring_first[slab] + link[2 * i]], l->of[l->ring_first[slab + 1] + link[2 * i + 1]]);
+    il_free(link);
+    return st;
+}
+
+/* What records join is joined before any link is chosen. */
+static il_status join_known(linking *l, il_error *err)
+{
+    il_status st = IL_OK;
+    for (size_t k = 0; k + 1 < l->n && st == IL_OK; k++) {
+        const il_pair *p = l->known[k];
+        for (size_t i = 0; p && i < p->n_groups; i++)
+            join_group(l, k, &p->group[i]);
+        if (p && !p->gap && p->n_groups == 0)
+            st = join_overlapping(l, k, err);
+    }
+    return st;
 }
 
 static void measure_parts(linking *l)
@@ -321,20 +368,25 @@ static uint32_t pop(linking *l)
     return least;
 }
 
-/* Candidate I waits for either of its parts to grow. */
+/* Candidate I waits for either of its parts to grow; on one side it may still do so, when the other woke it. */
 static void wait_for(linking *l, uint32_t i, int side)
 {
-    uint32_t p = il_forest_leader(l->parts, side == 0 ? l->candidate[i].a : l->candidate[i].b);
-    l->next[2 * (size_t)i + (size_t)side] = l->waiting[p];
-    l->waiting[p] = 2 * i + (uint32_t)side;
+    uint32_t p = il_forest_leader(l->parts, side == 0 ? l->candidate[i].a : l->candidate[i].b), w = 2 * i + (uint32_t)side;
+    if (l->next[w] != w)
+        return;
+    l->next[w] = l->waiting[p];
+    l->waiting[p] = w;
 }
 
 static void wake(linking *l, uint32_t part)
 {
-    uint32_t w = l->waiting[part];
+    uint32_t w = l->waiting[part], then;
     l->waiting[part] = UINT32_MAX;
-    for (; w != UINT32_MAX; w = l->next[w])
+    for (; w != UINT32_MAX; w = then) {
+        then = l->next[w];
+        l->next[w] = w;
         push(l, w / 2);
+    }
 }
 
 static void take_overlaps_and_free(linking *l)
@@ -400,6 +452,33 @@ static bool write_links(linking *l, il_linkage *out)
     return true;
 }
 
+/* The links of holes, slab by slab, into the row of all. */
+static il_status add_holes(const linking *l, il_linkage *out, il_error *err)
+{
+    il_link *all = NULL;
+    size_t n_all = 0, cap = 0;
+    il_status st = IL_OK;
+    for (size_t k = 0; k + 1 < l->n && st == IL_OK; k++) {
+        size_t n = out->first[k + 1] - out->first[k];
+        il_link *link = il_alloc(n, sizeof *link);
+        if (link && n > 0)
+            memcpy(link, out->link + out->first[k], n * sizeof *link);
+        out->first[k] = n_all;
+        st = link ? il_complement_link(&link, &n, &l->slice[k], &l->slice[k + 1], err) : il_fail_nomem(err);
+        if (st == IL_OK && !il_grow(&all, &cap, n_all + n, sizeof *all))
+            st = il_fail_nomem(err);
+        if (st == IL_OK && n > 0)
+            memcpy(all + n_all, link, n * sizeof *link);
+        n_all += n;
+        il_free(link);
+    }
+    for (size_t k = l->n > 0 ? l->n - 1 : 0; k <= l->n; k++)
+        out->first[k] = n_all;
+    il_free(out->link);
+    out->link = all;
+    return st;
+}
+
 static il_status choose(linking *l, il_error *err)
 {
     l->taken = il_calloc(l->n_candidates, 1);
@@ -415,26 +494,33 @@ static il_status choose(linking *l, il_error *err)
     il_forest_plant(l->groups, 2 * l->n_regions);
     for (size_t r = 0; r < l->n_regions; r++)
         l->waiting[r] = UINT32_MAX;
+    for (uint32_t w = 0; w < 2 * l->n_candidates; w++)
+        l->next[w] = w;
     measure_parts(l);
+    il_status st = join_known(l, err);
+    if (st != IL_OK)
+        return st;
     take_overlaps_and_free(l);
     take_joins(l);
     return IL_OK;
 }
 
-il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, const bool *parted,
-                        const il_linkage_options *o, il_error *err)
+il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, const il_pair *const *known,
+                          const il_linkage_options *o, il_error *err)
 {
-    linking l = { .slice = slice, .n = n, .o = o };
+    linking l = { .slice = slice, .n = n, .known = known, .o = o };
     *out = (il_linkage)IL_LINKAGE_INIT;
     il_status st = find_regions(&l, err);
     if (st == IL_OK)
-        st = find_candidates(&l, parted, err);
+        st = find_candidates(&l, err);
     if (st == IL_OK)
         st = choose(&l, err);
-    if (st == IL_OK && !write_links(&l, out)) {
-        il_linkage_free(out);
+    if (st == IL_OK && !write_links(&l, out))
         st = il_fail_nomem(err);
-    }
+    if (st == IL_OK)
+        st = add_holes(&l, out, err);
+    if (st != IL_OK)
+        il_linkage_free(out);
     il_free(l.region);
     il_free(l.first);
     il_free(l.ring_first);

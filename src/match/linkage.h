@@ -22,12 +22,18 @@ typedef struct il_linkage_options {
 
 /* How many pieces a stack should come out in: reach 0.75, which never harmed what is not a
  * vessel; 4, for vessels, where all is one piece; 0, overlaps alone, which need not know the
- * whole stack. */
+ * whole stack.
+ * Slanted vessels of which no two slices overlap are many parts of about one size, so a tenth
+ * of the volume is enough to be joined onto, and what is joined may be as large; and they are
+ * trees, so that what does not overlap closes no loop, however near it lies.  On the trees of
+ * tests/t-trees.c that have 78 to 100 % of their links without overlap, F1 of the links rises
+ * from 0.58 to 0.90 by the former; by the latter all links are right in 428 instead of 386 stacks
+ * of 599, 1 to 4 mean diameters apart.  Neither changes anything on scanned portal veins. */
 typedef enum il_pieces { IL_PIECES_USUAL, IL_PIECES_FEW, IL_PIECES_OVERLAP } il_pieces;
 il_linkage_options il_linkage_options_for(il_pieces pieces);
 
 /* link[first[k]] .. link[first[k + 1]]: the links of slab k, between outer rings of slices k and
- * k + 1, rising.  reach: the gap, unit. */
+ * k + 1, and of holes (complement.h), rising.  reach: the gap, unit. */
 typedef struct il_linkage {
     il_link *link;
     size_t *first;
@@ -36,9 +42,11 @@ typedef struct il_linkage {
 #define IL_LINKAGE_INIT { NULL, NULL }
 void il_linkage_free(il_linkage *l); /* safe twice */
 
-/* Link slice[n], clean and rising; no link crosses a slab k with parted[k].  O(n log n) for
- * contours but for the rings whose boxes are as near as gaps may be wide.  IL_E_NOMEM. */
-il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, const bool *parted,
-                        const il_linkage_options *o, il_error *err);
+/* Link slice[n], clean and rising.  known[k]: the record that slab k has already, or null:
+ * then it gets no links, but what its groups join is one part, and without groups what
+ * overlaps; a gap joins nothing.  O(n log n) for contours but for the rings whose boxes are as
+ * near as gaps may be wide.  IL_E_NOMEM. */
+il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, const il_pair *const *known,
+                          const il_linkage_options *o, il_error *err);
 
 #endif

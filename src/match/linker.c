@@ -1,15 +1,23 @@
 #include "config.h"
 #include "match/linker.h"
 #include "base/alloc.h"
+#include "match/given.h"
 #include "match/link.h"
 
 #include <string.h>
 
-/* slice[n], and the pair of slices k - 1 and k in pair[k], if has_pair[k]. */
+/* slice[n], and the pair of slices k - 1 and k in pair[k], if has_pair[k].  given: null when
+ * nothing is said; has_come[its n_stacks]; now: what it says of this stack, or null.  n_begun:
+ * stacks so far. */
 typedef struct linker {
     il_sink sink;
     il_sink *next;
     il_linkage_options options;
+    const il_given *given;
+    const il_given_stack *now;
+    unsigned char *has_come;
+    size_t n_begun;
+    il_report *report;
     bool is_terrain;
     il_slice *slice;         size_t n, cap;
     il_pair *pair;           size_t cap_pairs;
@@ -25,11 +33,29 @@ static void forget(linker *l)
     l->n = 0;
 }
 
+/* The first that is for HEAD and has not come; null when none is. */
+static const il_given_stack *find_given(linker *l, const il_stack_head *head)
+{
+    long number = head->has_number ? head->number : (long)l->n_begun;
+    for (size_t i = 0; l->given && i < l->given->n_stacks; i++) {
+        const il_given_stack *s = &l->given->stack[i];
+        if (l->has_come[i] || s->number != number || strcmp(s->name, il_stack_head_name(head)) != 0)
+            continue;
+        l->has_come[i] = 1;
+        return s;
+    }
+    return NULL;
+}
+
 static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
 {
     linker *l = (linker *)self;
     forget(l);
     l->is_terrain = head->kind == IL_KIND_TERRAIN;
+    l->n_begun++;
+    l->now = l->is_terrain ? NULL : find_given(l, head);
+    if (l->given && !l->now && !l->is_terrain)
+        il_report_note(l->report, "%s says nothing of it, so its links are found as without it", l->given->file);
     return l->next->stack_begin(l->next, head, err);
 }
 
@@ -71,20 +97,49 @@ static il_status make_pair(linker *l, const il_linkage *links, size_t k, il_erro
                          links->first[k] - links->first[k - 1], err);
 }
 
+/* A slice is the next stage's once it is passed on, so the pair above it is made before. */
 static il_status pass_on(linker *l, const il_linkage *links, il_error *err)
 {
     il_status st = IL_OK;
     for (size_t k = 0; k < l->n && st == IL_OK; k++) {
-        if (k > 0 && !l->has_pair[k])
-            st = make_pair(l, links, k, err);
-    }
-    for (size_t k = 0; k < l->n && st == IL_OK; k++) {
-        st = l->next->slice(l->next, &l->slice[k], err);
+        if (k + 1 < l->n && !l->has_pair[k + 1])
+            st = make_pair(l, links, k + 1, err);
+        if (st == IL_OK)
+            st = l->next->slice(l->next, &l->slice[k], err);
         if (st == IL_OK && k > 0)
             st = l->next->pair(l->next, &l->pair[k], err);
         il_slice_free(&l->slice[k]);
         il_pair_free(&l->pair[k]);
     }
+    return st;
+}
+
+/* What is said overrules what the stream brought, but for gaps. */
+static void drop_records(linker *l)
+{
+    for (size_t k = 0; k < l->n; k++) {
+        if (!l->has_pair[k] || l->pair[k].gap)
+            continue;
+        il_pair none = { .extra = l->pair[k].extra };
+        l->pair[k].extra = NULL;
+        il_pair_free(&l->pair[k]);
+        l->pair[k] = none;
+        l->has_pair[k] = 0;
+    }
+}
+
+static il_status link_stack(linker *l, il_linkage *links, il_error *err)
+{
+    const il_pair **known = il_alloc(l->n, sizeof *known);
+    if (!known)
+        return il_fail_nomem(err);
+    if (l->now)
+        drop_records(l);
+    for (size_t k = 0; k < l->n; k++)
+        known[k] = k + 1 < l->n && l->has_pair[k + 1] ? &l->pair[k + 1] : NULL;
+    il_status st = l->now ? il_linkage_given(links, l->slice, l->n, known, l->given, l->now, err)
+                          : il_linkage_find(links, l->slice, l->n, known, &l->options, err);
+    il_free(known);
     return st;
 }
 
@@ -94,11 +149,7 @@ static il_status stack_end(il_sink *self, il_error *err)
     il_linkage links = IL_LINKAGE_INIT;
     il_status st = IL_OK;
     if (!l->is_terrain && l->n > 0) {
-        bool *parted = il_alloc(l->n, sizeof *parted);
-        for (size_t k = 0; parted && k < l->n; k++)
-            parted[k] = k + 1 < l->n && l->has_pair[k + 1];
-        st = parted ? il_linkage_find(&links, l->slice, l->n, parted, &l->options, err) : il_fail_nomem(err);
-        il_free(parted);
+        st = link_stack(l, &links, err);
         if (st == IL_OK)
             st = pass_on(l, &links, err);
         il_linkage_free(&links);
@@ -113,14 +164,27 @@ static il_status end(il_sink *self, il_error *err)
     return l->next->end(l->next, err);
 }
 
-il_status il_linker_new(il_sink **out, const il_linkage_options *o, il_sink *next, il_error *err)
+il_status il_linker_new(il_sink **out, const il_linkage_options *o, const il_given *given, il_sink *next, il_report *report, il_error *err)
 {
     linker *l = il_calloc(1, sizeof *l);
-    *out = l ? &l->sink : NULL;
-    if (!l)
+    unsigned char *has_come = il_calloc(given ? given->n_stacks : 0, 1);
+    *out = l && has_come ? &l->sink : NULL;
+    if (!*out) {
+        il_free(l);
+        il_free(has_come);
         return il_fail_nomem(err);
-    *l = (linker){ .sink = { stack_begin, slice, pair, stack_end, end }, .next = next, .options = *o };
+    }
+    *l = (linker){ .sink = { stack_begin, slice, pair, stack_end, end }, .next = next, .options = *o,
+                   .given = given, .has_come = has_come, .report = report };
     return IL_OK;
+}
+
+size_t il_linker_missed(const il_sink *s, size_t k)
+{
+    const linker *l = (const linker *)s;
+    while (k < l->given->n_stacks && l->has_come[k])
+        k++;
+    return k;
 }
 
 void il_linker_free(il_sink *s)
@@ -132,5 +196,6 @@ void il_linker_free(il_sink *s)
     il_free(l->slice);
     il_free(l->pair);
     il_free(l->has_pair);
+    il_free(l->has_come);
     il_free(l);
 }

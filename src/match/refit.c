@@ -148,6 +148,8 @@ static void carry_over(il_pair *p, const renumbering r[2], const il_slice *is)
         move_arc(&r[p->unmatched[i].upper], &is[p->unmatched[i].upper], &p->unmatched[i].arc);
     for (size_t i = 0; i < p->n_insertions; i++)
         move_place(&r[p->insertion[i].upper], &is[p->insertion[i].upper], &p->insertion[i].at);
+    for (size_t i = 0; i < p->n_cuts; i++)
+        p->cut[i].ring = r[p->cut[i].upper].ring[p->cut[i].ring];
     for (size_t i = 0; i < p->n_phi; i++)
         move_place(&r[1], &is[1], &p->phi[i].at);
     if (p->n_phi > 0)

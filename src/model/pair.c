@@ -39,7 +39,7 @@ bool il_fit_is_trusted(const il_fit *f)
 bool il_group_is_trusted(const il_group *g)
 {
     for (size_t i = 0; i < g->n_links; i++)
-        if (g->link[i].reason != IL_LINK_OVERLAP)
+        if (g->link[i].reason != IL_LINK_OVERLAP && !(g->link[i].reason == IL_LINK_GIVEN && g->link[i].reach == 0))
             return true;
     return il_fit_is_trusted(&g->fit);
 }

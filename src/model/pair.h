@@ -67,9 +67,9 @@ typedef enum il_matcher { IL_MATCHER_NONE, IL_MATCHER_FFD } il_matcher;
 /* How a group of corresponding rings was settled: see design "attempts". */
 typedef enum il_attempt { IL_ATTEMPT_S, IL_ATTEMPT_P, IL_ATTEMPT_B, IL_N_ATTEMPTS } il_attempt;
 
-/* Why two rings belong together: their regions overlap; they lie close; the
- * link makes one of two parts that nothing else holds together; a hole and the
- * ring whose outside it opens to; the user says so. */
+/* Why two rings belong together: their regions overlap, or the holes that they are
+ * the outlines of; they lie close; the link makes one of two parts that nothing else
+ * holds together; a hole and the ring whose outside it opens to; the user says so. */
 typedef enum il_link_reason {
     IL_LINK_OVERLAP, IL_LINK_NEAR, IL_LINK_JOIN, IL_LINK_OPENING, IL_LINK_GIVEN
 } il_link_reason;

@@ -181,6 +181,9 @@ static void convert_pair(const rescaler *r, il_pair *p)
         convert_length(r, &p->insertion[k].x);
         convert_length(r, &p->insertion[k].y);
     }
+    for (size_t i = 0; i < p->n_cuts; i++)
+        for (size_t k = 0; k < 2 * p->cut[i].n; k++)
+            convert_length(r, &p->cut[i].xy[k]);
 }
 
 static il_status on_pair(il_sink *self, il_pair *pair, il_error *err)

@@ -77,6 +77,38 @@ static int compare_insertions(const void *va, const void *vb)
     return c != 0 ? c : by_number(a->y, b->y);
 }
 
+/* A cut, and whether its points are written last to first: a line has two
+ * spellings, and the lesser one is the canonical. */
+typedef struct cut_order {
+    const il_cut *cut;
+    bool backward;
+} cut_order;
+
+static const double *cut_point(const cut_order *c, size_t i)
+{
+    return c->cut->xy + 2 * (c->backward ? c->cut->n - 1 - i : i);
+}
+
+static int by_points(const cut_order *a, const cut_order *b)
+{
+    size_t n = a->cut->n < b->cut->n ? a->cut->n : b->cut->n;
+    int c = 0;
+    for (size_t i = 0; c == 0 && i < n; i++) {
+        const double *p = cut_point(a, i), *q = cut_point(b, i);
+        c = p[0] != q[0] ? by_number(p[0], q[0]) : by_number(p[1], q[1]);
+    }
+    return c != 0 ? c : (a->cut->n > n) - (b->cut->n > n);
+}
+
+static int compare_cuts(const void *va, const void *vb)
+{
+    const cut_order *a = va, *b = vb;
+    int c = (int)a->cut->upper - (int)b->cut->upper;
+    if (c == 0)
+        c = by_index(a->cut->ring, b->cut->ring);
+    return c != 0 ? c : by_points(a, b);
+}
+
 /* A group and the ring it is ordered by; groups share no ring. */
 typedef struct group_order {
     const il_group *group;
@@ -113,6 +145,12 @@ static void put_numbers(il_output *to, const char *word, const double *v, size_t
     il_output_char(to, '\n');
 }
 
+static void put_point(il_output *to, const double xy[2])
+{
+    il_output_number(to, xy[0]);
+    put_numbers(to, "", xy + 1, 1);
+}
+
 static void put_place(il_output *to, const il_place *p)
 {
     il_native_put_index(to, p->vertex);
@@ -134,10 +172,8 @@ static void write_lattice(il_output *to, const il_lattice *l)
     il_native_put_index(to, l->nx);
     il_native_put_index(to, l->ny);
     put_numbers(to, "", (const double[]){ l->x, l->y, l->spacing }, 3);
-    for (size_t i = 0; i < l->n; i++) {
-        il_output_number(to, l->d[2 * i]);
-        put_numbers(to, "", &l->d[2 * i + 1], 1);
-    }
+    for (size_t i = 0; i < l->n; i++)
+        put_point(to, &l->d[2 * i]);
 }
 
 static void write_fit(il_output *to, const il_fit *f)
@@ -169,11 +205,16 @@ static il_status write_rings(il_output *to, const char *word, const uint32_t *ri
     return IL_OK;
 }
 
-static il_status write_links(il_output *to, const il_group *g, il_error *err)
+const char *il_native_reason(il_link_reason why)
 {
     static const char *const reasons[] = {
         [IL_LINK_OVERLAP] = " overlap", [IL_LINK_NEAR] = " near",
-        [IL_LINK_JOIN] = " join", [IL_LINK_OPENING] = " opening" };
+        [IL_LINK_JOIN] = " join", [IL_LINK_OPENING] = " opening", [IL_LINK_GIVEN] = " given" };
+    return reasons[why];
+}
+
+static il_status write_links(il_output *to, const il_group *g, il_error *err)
+{
     il_link *order = sorted(g->link, g->n_links, sizeof *order, compare_links);
     if (!order)
         return il_fail_nomem(err);
@@ -181,7 +222,7 @@ static il_status write_links(il_output *to, const il_group *g, il_error *err)
         il_output_string(to, "link");
         il_native_put_index(to, order[i].lower);
         il_native_put_index(to, order[i].upper);
-        put_numbers(to, reasons[order[i].reason], &order[i].reach, 1);
+        put_numbers(to, il_native_reason(order[i].reason), &order[i].reach, 1);
     }
     il_free(order);
     return IL_OK;
@@ -273,6 +314,27 @@ static il_status write_unmatched(il_output *to, const il_pair *p, il_error *err)
     return IL_OK;
 }
 
+static il_status write_cuts(il_output *to, const il_pair *p, il_error *err)
+{
+    cut_order *order = il_alloc(p->n_cuts, sizeof *order);
+    if (!order)
+        return il_fail_nomem(err);
+    for (size_t i = 0; i < p->n_cuts; i++) {
+        const cut_order forward = { &p->cut[i], false }, backward = { &p->cut[i], true };
+        order[i] = by_points(&backward, &forward) < 0 ? backward : forward;
+    }
+    qsort(order, p->n_cuts, sizeof *order, compare_cuts);
+    for (size_t i = 0; i < p->n_cuts; i++) {
+        il_output_string(to, order[i].cut->upper ? "cut upper" : "cut lower");
+        il_native_put_index(to, order[i].cut->ring);
+        il_output_char(to, '\n');
+        for (size_t k = 0; k < order[i].cut->n; k++)
+            put_point(to, cut_point(&order[i], k));
+    }
+    il_free(order);
+    return IL_OK;
+}
+
 static il_status write_insertions(il_output *to, const il_pair *p, il_error *err)
 {
     il_insertion *order = sorted(p->insertion, p->n_insertions, sizeof *order, compare_insertions);
@@ -305,6 +367,8 @@ il_status il_native_write_pair(il_output *to, const il_pair *p, il_error *err)
         st = write_unmatched(to, p, err);
     if (st == IL_OK)
         st = write_insertions(to, p, err);
+    if (st == IL_OK)
+        st = write_cuts(to, p, err);
     il_native_write_extra(to, p->extra);
     return st;
 }

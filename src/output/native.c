@@ -52,8 +52,7 @@ static void put_character(il_output *to, const char *s, size_t n)
     }
 }
 
-/* A blank and the quoted string. */
-static void put_string(il_output *to, const char *s)
+void il_native_put_string(il_output *to, const char *s)
 {
     size_t n = strlen(s);
     il_output_string(to, " \"");
@@ -128,8 +127,8 @@ static void write_attributes(il_output *to, const il_stack_head *h)
 {
     for (size_t i = 0; i < h->n_attributes; i++) {
         il_output_string(to, "attribute");
-        put_string(to, h->attribute[i].key);
-        put_string(to, h->attribute[i].value);
+        il_native_put_string(to, h->attribute[i].key);
+        il_native_put_string(to, h->attribute[i].value);
         il_output_char(to, '\n');
     }
 }
@@ -148,7 +147,7 @@ static void write_spots(il_output *to, const il_stack_head *h)
 static void write_head(il_output *to, const il_stack_head *h)
 {
     il_output_string(to, "stack");
-    put_string(to, il_stack_head_name(h));
+    il_native_put_string(to, il_stack_head_name(h));
     il_output_char(to, '\n');
     if (h->has_number) {
         il_output_string(to, "number ");
@@ -161,7 +160,7 @@ static void write_head(il_output *to, const il_stack_head *h)
         write_color(to, h->color);
     if (h->crs && h->crs[0]) {
         il_output_string(to, "crs");
-        put_string(to, h->crs);
+        il_native_put_string(to, h->crs);
         il_output_char(to, '\n');
     }
     if (h->has_geographic)

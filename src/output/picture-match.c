@@ -137,19 +137,21 @@ il_status il_picture_match(il_svg_page *page, const il_svg_view *v, il_arcs *a, 
 size_t il_picture_match_legend(il_legend_entry *entry, bool matched, bool inserted, const size_t unmatched[3])
 {
     static const il_legend_entry lower =
-        { "fill=\"" IL_LOWER_COLOR "\" fill-opacity=\".15\" stroke=\"" IL_LOWER_COLOR "\" stroke-width=\"1\"", "lower slice", true };
+        { "fill=\"" IL_LOWER_COLOR "\" fill-opacity=\".15\" stroke=\"" IL_LOWER_COLOR "\" stroke-width=\"1\"",
+          "lower slice", IL_SWATCH_BOX };
     static const il_legend_entry upper =
-        { "fill=\"" IL_UPPER_COLOR "\" fill-opacity=\".13\" stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"1\"", "upper slice", true };
+        { "fill=\"" IL_UPPER_COLOR "\" fill-opacity=\".13\" stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"1\"",
+          "upper slice", IL_SWATCH_BOX };
     static const il_legend_entry thick =
-        { "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"2\"", "matched arcs (thick)", false };
+        { "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"2\"", "matched arcs (thick)", IL_SWATCH_LINE };
     static const il_legend_entry link =
-        { "stroke=\"" IL_LINK_COLOR "\" stroke-width=\".8\"", "upper point to its partner", false };
+        { "stroke=\"" IL_LINK_COLOR "\" stroke-width=\".8\"", "upper point to its partner", IL_SWATCH_LINE };
     static const il_legend_entry dot =
-        { "stroke=\"" IL_INK "\" stroke-width=\"4\" stroke-dasharray=\".01 9\"", "inserted points", false };
+        { "stroke=\"" IL_INK "\" stroke-width=\"4\" stroke-dasharray=\".01 9\"", "inserted points", IL_SWATCH_LINE };
     static const il_legend_entry events[3] = {
-        { "stroke=\"#009e73\" stroke-width=\"4\" stroke-linecap=\"butt\"", "unmatched: branch", false },
-        { "stroke=\"#aa4499\" stroke-width=\"4\" stroke-linecap=\"butt\" stroke-dasharray=\"7 2.5\"", "unmatched: cap", false },
-        { "stroke=\"#b8860b\" stroke-width=\"4\" stroke-linecap=\"butt\" stroke-dasharray=\"2.5 2\"", "unmatched: hole", false }
+        { "stroke=\"#009e73\" stroke-width=\"4\" stroke-linecap=\"butt\"", "unmatched: branch", IL_SWATCH_LINE },
+        { "stroke=\"#aa4499\" stroke-width=\"4\" stroke-linecap=\"butt\" stroke-dasharray=\"7 2.5\"", "unmatched: cap", IL_SWATCH_LINE },
+        { "stroke=\"#b8860b\" stroke-width=\"4\" stroke-linecap=\"butt\" stroke-dasharray=\"2.5 2\"", "unmatched: hole", IL_SWATCH_LINE }
     };
     size_t n = 0;
     entry[n++] = lower;

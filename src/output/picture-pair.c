@@ -213,11 +213,11 @@ static size_t grid_legend(il_legend_entry *entry, const il_grid_facts *g, il_lab
     if (g->whole > 0) {
         il_label_words(words, "grid of the upper plane under \xCF\x86, ");
         il_label_counted(words, g->steps, "lattice step");
-        entry[n++] = (il_legend_entry){ "stroke=\"" IL_GRID_COLOR "\" stroke-width=\"1\"", words->text, false };
+        entry[n++] = (il_legend_entry){ "stroke=\"" IL_GRID_COLOR "\" stroke-width=\"1\"", words->text, IL_SWATCH_LINE };
     }
     if (g->whole < g->drawn)
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_GRID_COLOR "\" stroke-width=\"1\" stroke-dasharray=\"2 4\"",
-                                        "under the global step alone: no lattices in the record", false };
+                                        "under the global step alone: no lattices in the record", IL_SWATCH_LINE };
     return n;
 }
 
@@ -227,10 +227,10 @@ static void draw_legend(il_svg_page *page, const il_pair *p, const il_match_fact
     il_label words = IL_LABEL_INIT;
     size_t n = il_picture_match_legend(entry, count_matches(p) > 0, p->n_insertions > 0, m->unmatched);
     if (deformed) {
-        entry[n++] = (il_legend_entry){ "stroke=\"" IL_LOWER_BAND "\" stroke-width=\"4.5\"", "lower contour in (b)", false };
-        entry[n++] = (il_legend_entry){ "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"1.3\"", "\xCF\x86(upper contour)", false };
+        entry[n++] = (il_legend_entry){ "stroke=\"" IL_LOWER_BAND "\" stroke-width=\"4.5\"", "lower contour in (b)", IL_SWATCH_LINE };
+        entry[n++] = (il_legend_entry){ "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"1.3\"", "\xCF\x86(upper contour)", IL_SWATCH_LINE };
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\".8\" stroke-dasharray=\"2 3\"",
-                                        "upper contour as it lies", false };
+                                        "upper contour as it lies", IL_SWATCH_LINE };
     }
     n += grid_legend(entry + n, grid, &words);
     il_picture_legend(page, entry, n);

@@ -133,8 +133,7 @@ void il_picture_extent(il_label *l, const il_figure *f)
 
 /* ---- scale bar ----------------------------------------------------------- */
 
-/* The greatest 1, 2 or 5 times a power of ten that is not above MOST. */
-static double round_length(double most)
+double il_picture_round_length(double most)
 {
     double power = pow(10, floor(log10(most)));
     return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
@@ -142,7 +141,7 @@ static double round_length(double most)
 
 void il_picture_scale_bar(il_svg_page *page, double x, double y, double most, double scale, il_unit unit)
 {
-    double length = round_length(most / scale), pixels = fmin(length * scale, most);
+    double length = il_picture_round_length(most / scale), pixels = fmin(length * scale, most);
     il_label l = IL_LABEL_INIT;
     il_label_number(&l, length, 1);
     il_label_words(&l, " ");
@@ -201,8 +200,10 @@ enum { SWATCH = 28, SWATCH_GAP = 7, ENTRY_GAP = 8, ENTRY_HEIGHT = 20, LEGEND_COL
 static void draw_entry(il_svg_page *page, const il_legend_entry *e, double x)
 {
     double y = page->y + ENTRY_HEIGHT / 2.0;
-    if (e->box) {
+    if (e->swatch == IL_SWATCH_BOX) {
         il_svg_rectangle(page, x + 4, y - 6, SWATCH - 8, 12, e->attributes);
+    } else if (e->swatch == IL_SWATCH_DOT) {
+        il_svg_circle(page, x + SWATCH / 2.0, y, 4, e->attributes);
     } else {
         il_svg_path_begin(page, e->attributes);
         il_svg_segment(page, x, y, x + SWATCH, y);

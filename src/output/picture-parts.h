@@ -40,11 +40,12 @@ typedef struct il_figure {
     double z_least, z_greatest, spacing;
 } il_figure;
 
-/* The three pictures: append F to PAGE, and move page->y.  K: the pair of
- * slices K and K + 1, which are f->level[0] and [1]. */
+/* The pictures: append F to PAGE, and move page->y.  A pair is of the slices
+ * f->level[0] and [1]. */
 il_status il_picture_draw_pair(il_svg_page *page, const il_figure *f, il_error *err);
 il_status il_picture_draw_slices(il_svg_page *page, const il_figure *f, il_error *err);
 il_status il_picture_draw_pairs(il_svg_page *page, const il_figure *f, il_error *err);
+il_status il_picture_draw_skeleton(il_svg_page *page, const il_figure *f, il_error *err);
 
 /* ---- boxes and views ------------------------------------------------------- */
 
@@ -73,15 +74,18 @@ void il_picture_name(il_label *l, const il_figure *f);
 void il_picture_heading(il_svg_page *page, const il_figure *f, const char *subtitle);
 /* "33 slices, z 0 to 64 mm". */
 void il_picture_extent(il_label *l, const il_figure *f);
+/* The greatest 1, 2 or 5 times a power of ten that is not above MOST. */
+double il_picture_round_length(double most);
 /* A bar of round length, at most MOST pixels, its left end at (x, y). */
 void il_picture_scale_bar(il_svg_page *page, double x, double y, double most, double scale, il_unit unit);
 /* Words within WIDTH from page->y on, which moves. */
 void il_picture_paragraph(il_svg_page *page, double width, const char *words);
 
-/* One entry of a legend: a line with these attributes, or, where fill is set, a box. */
+/* One entry of a legend: a line, box or dot with these attributes. */
+typedef enum il_swatch { IL_SWATCH_LINE, IL_SWATCH_BOX, IL_SWATCH_DOT } il_swatch;
 typedef struct il_legend_entry {
     const char *attributes, *words;
-    bool box;
+    il_swatch swatch;
 } il_legend_entry;
 /* The entries in columns from page->y on, which moves. */
 void il_picture_legend(il_svg_page *page, const il_legend_entry *entry, size_t n);

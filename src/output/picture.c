@@ -112,6 +112,8 @@ static il_status draw(picture *p, il_error *err)
     const il_figure *f = &p->figure;
     if (p->options.what == IL_PICTURE_PAIR)
         return f->n == 2 ? il_picture_draw_pair(&p->page, f, err) : IL_OK;
+    if (p->options.what == IL_PICTURE_SKELETON)
+        return il_picture_draw_skeleton(&p->page, f, err);
     if (p->options.what == IL_PICTURE_SLICES || f->n_pairs == 0)
         return il_picture_draw_slices(&p->page, f, err);
     return il_picture_draw_pairs(&p->page, f, err);

@@ -1,7 +1,8 @@
 /* picture.h - contours and correspondences as SVG, for people to look at.
  *
- * Three pictures: one pair of slices with its deformation (the paper's Figure
- * 5), all slices side by side, and all pairs as small multiples. */
+ * Four pictures: one pair of slices with its deformation (the paper's Figures 4b
+ * and 5), all slices side by side, all pairs as small multiples, and the skeleton
+ * of the stack (Figure 4a). */
 #ifndef IL_OUTPUT_PICTURE_H
 #define IL_OUTPUT_PICTURE_H
 

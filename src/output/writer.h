@@ -7,8 +7,8 @@
 #include "model/sink.h"
 
 /* Pictures: all pairs of each stack, or the slices of one that has none; the
- * slices; the pair above slice PAIR, from 0. */
-typedef enum il_picture { IL_PICTURE_AUTO, IL_PICTURE_SLICES, IL_PICTURE_PAIR } il_picture;
+ * slices; the pair above slice PAIR, from 0; what holds together in the stack. */
+typedef enum il_picture { IL_PICTURE_AUTO, IL_PICTURE_SLICES, IL_PICTURE_PAIR, IL_PICTURE_SKELETON } il_picture;
 typedef struct il_picture_options {
     il_picture what;
     size_t pair;

@@ -100,9 +100,9 @@ static il_status take_slab(reader *r)
 
 static il_status take_reason(reader *r, il_given_link *l)
 {
-    static const char *const reasons[] = { "overlap", "near", "join", "opening", "given", NULL };
+    static const char *const reasons[] = { "overlap", "slant", "near", "join", "opening", "given", NULL };
     int reason = 0;
-    il_status st = il_scan_choice(&r->at, reasons, "a reason: overlap, near, join, opening or given", &reason, r->err);
+    il_status st = il_scan_choice(&r->at, reasons, "a reason: overlap, slant, near, join, opening or given", &reason, r->err);
     if (st == IL_OK)
         st = il_scan_number(&r->at, &l->link.reach, r->err);
     if (st == IL_OK && l->link.reach < 0)

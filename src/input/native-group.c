@@ -78,7 +78,7 @@ static il_status take_upper(il_native *n)
 
 static il_status take_link(il_native *n)
 {
-    static const char *const reasons[] = { "overlap", "near", "join", "opening", "given", NULL };
+    static const char *const reasons[] = { "overlap", "slant", "near", "join", "opening", "given", NULL };
     il_group *g = open_group(n);
     il_link l = { 0 };
     int reason = 0;
@@ -86,7 +86,7 @@ static il_status take_link(il_native *n)
     if (st == IL_OK)
         st = il_scan_index(&n->at, &l.upper, n->err);
     if (st == IL_OK)
-        st = il_scan_choice(&n->at, reasons, "a reason: overlap, near, join, opening or given", &reason, n->err);
+        st = il_scan_choice(&n->at, reasons, "a reason: overlap, slant, near, join, opening or given", &reason, n->err);
     if (st == IL_OK)
         st = il_native_take_distance(n, &l.reach);
     if (st != IL_OK)

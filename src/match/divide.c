@@ -71,14 +71,6 @@ static void free_division(division *d)
     il_free(d->joint);
 }
 
-bool il_group_is_divisible(const il_group *g)
-{
-    for (size_t i = 0; i < g->n_links; i++)
-        if (g->link[i].reason != IL_LINK_OVERLAP && g->link[i].reason != IL_LINK_OPENING)
-            return true;
-    return false;
-}
-
 /* ---- regions and links ------------------------------------------------------------ */
 
 static bool add_ring(il_piece *p, const il_ring *r)

@@ -12,9 +12,6 @@
 #include "match/rows.h"
 #include "model/stack.h"
 
-/* Is G one to divide?  When some of what it links lies apart. */
-bool il_group_is_divisible(const il_group *g);
-
 /* Divide G, whose rings are of slice[2] with ring r in the region of outer[side][r].  *DONE,
  * unless a region cannot be cut or nothing is left of a piece; then nothing else is written.
  * image[r] gets the rows of the upper rings, unit; *FIT what is to be said of all: the shift on

@@ -200,6 +200,8 @@ static il_link judge(const giving *g, size_t k, const il_nearest t[2], const il_
 {
     il_link l = said->link;
     bool overlap = is_overlap(g, k, &l);
+    if (l.reason == IL_LINK_SLANT) /* by how much they overlap is seen again when they are grouped */
+        l.reason = IL_LINK_OVERLAP;
     if (said->explained && is_of_hole(g, k, &l))
         return l;
     double apart = overlap ? 0 : distance(g->slice + k, t, &l);

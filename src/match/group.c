@@ -282,7 +282,7 @@ il_status il_group_match(const il_group_work *w, il_group *g, il_error *err)
 {
     group_match m = { .work = w, .pair = w->pair, .group = g, .slice = { w->slice[0], w->slice[1] }, .solver = w->solver };
     bool divided = false;
-    il_status st = w->outer[0] && il_group_is_divisible(g) ? match_divided(&m, &divided, err) : IL_OK;
+    il_status st = w->outer[0] && il_group_lies_apart(g) ? match_divided(&m, &divided, err) : IL_OK;
     if (st == IL_OK && !divided)
         st = match_whole(&m, err);
     if (st == IL_OK)

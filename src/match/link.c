@@ -5,6 +5,7 @@
 #include "bridge/boxes.h"
 #include "bridge/predicates.h"
 #include "match/complement.h"
+#include "match/patch.h"
 #include "match/under.h"
 
 #include <math.h>
@@ -285,6 +286,39 @@ static bool make_groups(il_pair *p, uint32_t *up, uint32_t *group_of, uint32_t n
     return ok;
 }
 
+/* Do rings A and B, whose regions overlap, lie on each other?  The centre of the lesser in the
+ * other says so, else what they have in common. */
+static il_status lie_on_each_other(const il_ring *a, const il_ring *b, bool *yes, il_error *err)
+{
+    static const double LIES_ON = 0.3;
+    il_patch patch[2] = { IL_PATCH_INIT, IL_PATCH_INIT };
+    il_status st = il_patch_add(&patch[0], a, false) && il_patch_add(&patch[1], b, false) ? IL_OK : il_fail_nomem(err);
+    for (int k = 0; k < 2 && st == IL_OK; k++)
+        st = il_patch_plant(&patch[k], err);
+    if (st == IL_OK)
+        *yes = il_patch_common(&patch[0], &patch[1]) > LIES_ON * fmin(patch[0].area, patch[1].area);
+    il_patch_free(&patch[0]);
+    il_patch_free(&patch[1]);
+    return st;
+}
+
+/* Links between outer rings of which next to nothing overlaps say so. */
+static il_status find_slants(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err)
+{
+    il_status st = IL_OK;
+    for (size_t g = 0; g < pair->n_groups; g++)
+        for (size_t i = 0; i < pair->group[g].n_links && st == IL_OK; i++) {
+            il_link *l = &pair->group[g].link[i];
+            const il_ring *a = &lower->ring[l->lower], *b = &upper->ring[l->upper];
+            bool yes = true;
+            if (l->reason == IL_LINK_OVERLAP && il_ring_area2(a) > 0 && il_ring_area2(b) > 0)
+                st = lie_on_each_other(a, b, &yes, err);
+            if (!yes)
+                l->reason = IL_LINK_SLANT;
+        }
+    return st;
+}
+
 il_status il_link_group(il_pair *pair, const il_slice *lower, const il_slice *upper, const il_link *link, size_t n, il_error *err)
 {
     uint32_t n_rings = (uint32_t)(lower->n + upper->n);
@@ -298,6 +332,8 @@ il_status il_link_group(il_pair *pair, const il_slice *lower, const il_slice *up
         if (!make_groups(pair, up, group_of, (uint32_t)lower->n, n_rings, link, n))
             st = il_fail_nomem(err);
     }
+    if (st == IL_OK)
+        st = find_slants(pair, lower, upper, err);
     il_free(outer);
     il_free(up);
     il_free(group_of);

@@ -46,7 +46,7 @@ static il_status find_outers(il_group_work *w, uint32_t *outer[2], il_error *err
     bool wanted = false;
     il_status st = IL_OK;
     for (size_t i = 0; i < w->pair->n_groups && !wanted; i++)
-        wanted = il_group_is_divisible(&w->pair->group[i]);
+        wanted = il_group_lies_apart(&w->pair->group[i]);
     for (int k = 0; k < 2 && wanted && st == IL_OK; k++) {
         w->outer[k] = outer[k] = il_alloc(w->slice[k]->n, sizeof *outer[k]);
         st = outer[k] ? il_link_outers(w->slice[k], outer[k], err) : il_fail_nomem(err);

@@ -36,12 +36,20 @@ bool il_fit_is_trusted(const il_fit *f)
            f->least_jacobian >= IL_SQUEEZE_MOST * growth;
 }
 
+bool il_group_lies_apart(const il_group *g)
+{
+    for (size_t i = 0; i < g->n_links; i++) {
+        il_link_reason why = g->link[i].reason;
+        bool lies_on = why == IL_LINK_OVERLAP || (why == IL_LINK_GIVEN && g->link[i].reach == 0);
+        if (!lies_on && why != IL_LINK_OPENING)
+            return true;
+    }
+    return false;
+}
+
 bool il_group_is_trusted(const il_group *g)
 {
-    for (size_t i = 0; i < g->n_links; i++)
-        if (g->link[i].reason != IL_LINK_OVERLAP && !(g->link[i].reason == IL_LINK_GIVEN && g->link[i].reach == 0))
-            return true;
-    return il_fit_is_trusted(&g->fit);
+    return il_group_lies_apart(g) || il_fit_is_trusted(&g->fit);
 }
 
 static void free_group(il_group *g)

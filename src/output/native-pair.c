@@ -208,7 +208,7 @@ static il_status write_rings(il_output *to, const char *word, const uint32_t *ri
 const char *il_native_reason(il_link_reason why)
 {
     static const char *const reasons[] = {
-        [IL_LINK_OVERLAP] = " overlap", [IL_LINK_NEAR] = " near",
+        [IL_LINK_OVERLAP] = " overlap", [IL_LINK_SLANT] = " slant", [IL_LINK_NEAR] = " near",
         [IL_LINK_JOIN] = " join", [IL_LINK_OPENING] = " opening", [IL_LINK_GIVEN] = " given" };
     return reasons[why];
 }

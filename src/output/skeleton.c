@@ -87,7 +87,8 @@ static bool add_bone(il_skeleton *s, const il_figure *f, size_t k, uint32_t lowe
 
 static il_bond bond_of(const il_link *l, double height)
 {
-    static const il_bond bond[] = { [IL_LINK_OVERLAP] = IL_BOND_OVERLAP, [IL_LINK_NEAR] = IL_BOND_NEAR,
+    static const il_bond bond[] = { [IL_LINK_OVERLAP] = IL_BOND_OVERLAP,
+                                    [IL_LINK_SLANT] = IL_BOND_OVERLAP, [IL_LINK_NEAR] = IL_BOND_NEAR,
                                     [IL_LINK_JOIN] = IL_BOND_JOIN, [IL_LINK_GIVEN] = IL_BOND_GIVEN };
     return l->reason == IL_LINK_JOIN && l->reach > height ? IL_BOND_GUESS : bond[l->reason];
 }

@@ -19,7 +19,7 @@ static il_ffd *new_solver(void)
 
 static void solve_in(il_ffd *f, const il_outline *lower, const il_outline *upper, uint32_t x, uint32_t y, il_fit *fit)
 {
-    assert_int_equal(il_ffd_solve(f, lower, upper, x, y, fit, NULL), IL_OK);
+    assert_int_equal(il_ffd_solve(f, lower, upper, x, y, true, fit, NULL), IL_OK);
 }
 
 static il_fit solved(const outline *lower, const outline *upper)
@@ -352,7 +352,7 @@ static void little_memory_is_told(void **state)
         il_alloc_test_fail_after(k);
         st = il_ffd_new(&f, &err);
         if (st == IL_OK)
-            st = il_ffd_solve(f, &lower, &upper, FRAME, FRAME, &fit, &err);
+            st = il_ffd_solve(f, &lower, &upper, FRAME, FRAME, true, &fit, &err);
         il_alloc_test_fail_after(-1);
         assert_true(st == IL_OK || (st == IL_E_NOMEM && err.code == IL_E_NOMEM && fit.lattice == NULL && fit.steps == 0));
         il_fit_free(&fit);

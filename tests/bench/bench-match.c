@@ -105,7 +105,7 @@ static void solve(il_ffd *f, const pairs_pair *p, il_fit *fit)
     il_outline lower = outline_of(&p->lower), upper = outline_of(&p->upper);
     il_error err = { 0 };
     *fit = (il_fit){ 0 };
-    if (il_ffd_solve(f, &lower, &upper, PAIRS_FRAME, PAIRS_FRAME, fit, &err) != IL_OK) {
+    if (il_ffd_solve(f, &lower, &upper, PAIRS_FRAME, PAIRS_FRAME, true, fit, &err) != IL_OK) {
         fputs("bench-match: out of memory\n", stderr);
         exit(5);
     }

@@ -95,6 +95,10 @@ gzip -c few.links >few.links.gz
 "$ISOLOFT" match --links few.links.gz tree.loft >again.loft
 holds "and compressed" cmp few.loft again.loft
 
+"$ISOLOFT" plot --skeleton --pieces few tree.loft >one.svg
+"$ISOLOFT" plot --skeleton --links few.links tree.loft >two.svg
+holds "the skeleton is drawn likewise" cmp one.svg two.svg
+
 # Ring 2 of z = 3 is made to go over into ring 0, not ring 2, of z = 4; nothing above z = 5.
 awk '$1 == "slab" { z = $2 } z == 3 && $0 ~ /^link 2 2/ { print "link 2 0 overlap 0 # by hand"; next } z < 5' few.links >edited.links
 exits 0 "an edited file is read" "$ISOLOFT" match --links edited.links tree.loft -o edited.loft

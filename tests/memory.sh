@@ -74,7 +74,7 @@ starve "so do links that are written" "$ISOLOFT" match block.loft -o box/b.loft 
 starve "and read" "$ISOLOFT" match --links block.links block.loft -o box/b.loft
 starve "so does mesh" "$ISOLOFT" mesh block.loft -o box/b.obj --to in
 starve "so does a folder" "$ISOLOFT" block.loft -o box/ -t obj
-for name in ffd arcs; do
+for name in ffd arcs cut; do
     starve "so does plot of a pair: $name" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_$name.loft" --pair 0 -o box/p.svg
 done
 starve "and of all pairs" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_arcs.loft" -o box/

@@ -163,6 +163,16 @@ typedef enum il_gap_mode {
     IL_GAPS_FAIL     = 3
 } il_gap_mode;
 
+/* Which rings of neighbouring slices belong together, and so into how many pieces a solid comes
+ * out.  Rings that overlap always do.  USUAL: across gaps, in heights of the slab, what joins two
+ * parts that nothing else in the whole stack holds together, up to 0.75.  FEW: up to 4, for trees of
+ * thin vessels.  OVERLAP: never; only then is not the whole stack held in memory at a time. */
+typedef enum il_pieces_mode {
+    IL_PIECES_USUAL   = 0,
+    IL_PIECES_FEW     = 1,
+    IL_PIECES_OVERLAP = 2
+} il_pieces_mode;
+
 /* Maps of isolines.  hull: they end at the convex hull of their lines, not at the box.
  * solid: closed with walls and a floor, has_base: at the height base of the map, else a
  * little below the lowest point.  z_scale: heights are exaggerated so many times, 0: not.
@@ -181,7 +191,7 @@ typedef struct il_map_settings {
  * sentence, what of the input was repaired or skipped; may be null.  The
  * sentence is gone when it returns.  thickness: what a slice that nothing is joined
  * to is given, in the input's unit; 0: the usual spacing for structure sets, and
- * where gaps says what to do, else such a slice is refused.  map: of isolines. */
+ * where gaps says what to do, else such a slice is refused.  map: of isolines.  pieces: of no effect with unmatched. */
 typedef struct il_settings {
     int threads;
     int dome;
@@ -191,6 +201,7 @@ typedef struct il_settings {
     il_gap_mode gaps;
     double thickness;
     il_map_settings map;
+    il_pieces_mode pieces;
 } il_settings;
 
 /* Loft FROM into TO.  SETTINGS may be null, ERR too.  What TO points to must be

@@ -19,8 +19,8 @@ tree() { # NAME
         }
         print "end" }'
 }
+not() { ! "$@"; }
 count() { grep -c "$@"; }
-links_of() { sed -n "s/.*\"links\":{\([^}]*\)}.*/\1/p" "$1" | tr -d '"'; }
 
 tree tree | "$ISOLOFT" read >tree.loft
 slabs=7
@@ -72,9 +72,8 @@ comes_early() { # TENTHS WORD
     wait $!
     [ "$was" -gt 0 ]
 }
-comes_late() { ! comes_early "$@"; }
 holds "with overlap slices come before the stack ends" comes_early 600 --pieces=overlap
-holds "by default none does" comes_late 10 --no-pieces
+holds "by default none does" not comes_early 10 --no-pieces
 holds "but all do then" test "$(count '^slice' early)" -eq 40
 
 # ---- the file --------------------------------------------------------------------------------
@@ -95,6 +94,10 @@ holds "it may come from standard input" cmp few.loft again.loft
 gzip -c few.links >few.links.gz
 "$ISOLOFT" match --links few.links.gz tree.loft >again.loft
 holds "and compressed" cmp few.loft again.loft
+
+"$ISOLOFT" plot --skeleton --pieces few tree.loft >one.svg
+"$ISOLOFT" plot --skeleton --links few.links tree.loft >two.svg
+holds "the skeleton is drawn likewise" cmp one.svg two.svg
 
 # Ring 2 of z = 3 is made to go over into ring 0, not ring 2, of z = 4; nothing above z = 5.
 awk '$1 == "slab" { z = $2 } z == 3 && $0 ~ /^link 2 2/ { print "link 2 0 overlap 0 # by hand"; next } z < 5' few.links >edited.links
@@ -136,12 +139,56 @@ holds "is told with its line" grep -q "misspelt.links:$(grep -n tow misspelt.lin
 "$ISOLOFT" match twins.loft --links-out twins.links >twins.matched.loft
 "$ISOLOFT" match --links twins.links twins.loft >again.loft 2>err
 holds "twins are taken in their order" cmp twins.matched.loft again.loft
-holds "without a word" test ! -s err
+holds "without a word" not grep -q twins.links err
 exits 3 "a ring that there is not ends the run" "$ISOLOFT" match -o no.loft --links "$srcdir/formats/links/invalid/x_link_lower.links" "$srcdir/formats/links/contours.loft"
 holds "in one line" one_error
 holds "and leaves nothing" test ! -e no.loft
 exits 4 "a file that is not there" "$ISOLOFT" match --links nowhere.links tree.loft
 holds "in one line" one_error
+
+# ---- what is told --------------------------------------------------------------------------------------
+
+tells() { # SENTENCE JSON WORDS...: the account of match WORDS has JSON in it
+    sentence=$1 json=$2
+    shift 2
+    "$ISOLOFT" match --json "$@" tree.loft 2>err >/dev/null
+    holds "$sentence" grep -q -F "$json" err
+}
+tells "links are counted" '"links":{"overlap":7,"slant":0,"near":0,"join":8,"opening":0,"given":0},"guessed":[],"parts":9,"median_join":0.5,' --no-pieces
+tells "by overlap there are no joins" '"links":{"overlap":7,"slant":0,"near":0,"join":0,"opening":0,"given":0},"guessed":[],"parts":17,"median_join":0,' --pieces overlap
+tells "one part, where links reach farther" '"parts":1,"median_join":0.5,"undersampled":true' --pieces few
+tells "links farther than the slab is high are guesses" '"guessed":[{"from":0,"to":1,"lower":0,"upper":0,"reach":2,"heights":2},{"from":0,' --pieces few
+holds "and are counted in a sentence" grep -q "stack 'tree': 8 links reach farther than the slab is high, and are guesses" err
+holds "and so are slices too far apart" grep -q "there are few slices for what is in them: 16 links reach across gaps, which measure 50 %" err
+tells "nothing of this where little is joined" '"undersampled":false' --pieces overlap
+tells "what is given is no guess" '"join":0,"opening":0,"given":23},"guessed":[],' --links bare.links
+tells "slices compared as they lie have links of no kind" '"given":0},"guessed":[],"parts":null' --matcher none
+"$ISOLOFT" match -v --pieces few tree.loft 2>err >/dev/null
+holds "-v lists links" grep -q "stack 'tree': links: 7 overlap, 16 join" err
+holds "and guesses, each" test "$(count "guessed from z .*: ring [0-9]* to ring [0-9]*, 2 mm apart, 2 heights" err)" -eq 8
+"$ISOLOFT" info --pieces few tree.loft >out
+holds "info has them in its table" test "$(grep -c -e '^  links  *7 overlap, 16 join$' -e '^  guessed  *8 of them$' -e '^  parts  *1, as linked$' out)" -eq 3
+"$ISOLOFT" mesh few.loft -t stl --json 2>err >/dev/null
+holds "records that came in are counted too" grep -q '"links":{"overlap":7,"slant":0,"near":0,"join":16,' err
+
+hinted() { "$ISOLOFT" match "$@" 2>&1 >/dev/null | grep -q "it is a vessel by its name or type, and in 9 parts: --pieces few"; }
+for name in Vessels "portal vein" V_cava_Vein LeftRenalArtery "AORTA 2" bronchi; do
+    tree "$name" >named.loft
+    holds "a vessel by its name gets a hint: $name" hinted named.loft
+done
+for name in trunk Ventricle myvessel "inveins" BRAINSTEM; do
+    tree "$name" >named.loft
+    holds "another stack does not: $name" not hinted named.loft
+done
+tree "ROI 1" | sed 's/^stack.*/&\nattribute "RTROIInterpretedType" "VESSEL"/' >typed.loft
+holds "a vessel by its type does" hinted typed.loft
+tree vessel >named.loft
+for words in "--pieces few" "--pieces overlap" --no-pieces "--links few.links" "--matcher none"; do
+    # shellcheck disable=SC2086 # words of a line
+    holds "no hint to who has said how to link: $words" not hinted $words named.loft
+done
+block vessel >named.loft
+holds "nor where all is one part" not hinted named.loft
 
 # ---- records in the stream ------------------------------------------------------------------------
 

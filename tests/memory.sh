@@ -69,9 +69,12 @@ starve "so does --list" "$ISOLOFT" --list set.xml
 starve "so does info of them" "$ISOLOFT" info set.dcmdump
 starve "so does read" "$ISOLOFT" read small.svg -o box/b.loft
 starve "so does match" "$ISOLOFT" match block.loft -o box/b.loft
+"$ISOLOFT" match block.loft --links-out block.links >/dev/null
+starve "so do links that are written" "$ISOLOFT" match block.loft -o box/b.loft --links-out box/b.links
+starve "and read" "$ISOLOFT" match --links block.links block.loft -o box/b.loft
 starve "so does mesh" "$ISOLOFT" mesh block.loft -o box/b.obj --to in
 starve "so does a folder" "$ISOLOFT" block.loft -o box/ -t obj
-for name in ffd arcs; do
+for name in ffd arcs cut; do
     starve "so does plot of a pair: $name" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_$name.loft" --pair 0 -o box/p.svg
 done
 starve "and of all pairs" "$ISOLOFT" plot "$srcdir/formats/loft/valid/v_pair_arcs.loft" -o box/
@@ -128,6 +131,7 @@ if [ -f "$builddir/config.h" ] && ! sanitized; then
     pillar 800 200 >twice.loft
     doubles "twice the slices: memory grows by less than a tenth in read" 110 "$ISOLOFT" read -t loft
     doubles "and in match by overlap" 110 "$ISOLOFT" match --pieces overlap -t loft
+    doubles "and linked over the whole stack in less than 1.7 times" 170 "$ISOLOFT" match -t loft
     doubles "and to a mesh in less than 2.3 times" 230 "$ISOLOFT" -t ply
     pillar 12 4000 >once.loft
     pillar 12 8000 >twice.loft
@@ -135,6 +139,12 @@ if [ -f "$builddir/config.h" ] && ! sanitized; then
     pillar 3000 4 >once.loft
     pillar 6000 4 >twice.loft
     doubles "twice the slices of four vertices: less than 2.3 times" 230 "$ISOLOFT" -t stl
+
+    # what linking holds, as the manual says: 25 bytes a vertex, with what the reader's growth leaves
+    held() { "$ISOLOFT" match "$@" twice.loft -t loft -o twice.out --json=held.json && sed 's/.*"peak_bytes":\([0-9]*\).*/\1/' held.json; }
+    pillar 4000 200 >twice.loft
+    a=$(held --pieces overlap) b=$(held --no-pieces)
+    holds "linking over the whole stack holds at most 36 bytes a vertex" test $((b - a)) -le $((36 * 800000))
 
     # points far denser than keyholes are wide lie beside one another all along
     pillar 2 40000 >dense.loft

@@ -61,6 +61,23 @@ picture "are a picture" out
 for event in branch cap hole; do
     says "unmatched: $event" out "unmatched: $event"
 done
+exits 0 "cuts" "$ISOLOFT" plot "$samples/v_pair_cut.loft" --pair 0
+picture "are a picture" out
+says "and explained" out "cut on the medial axis"
+holds "all in one bold red line, and that of the legend" test "$(count 'stroke="#d00000" stroke-width="3"/>' out)" -eq 2
+holds "they part two regions into four and two pieces" test "$(sed -n '/fill-opacity=".35" fill-rule/,/^<.g>/p' out | grep -c 'M')" -eq 6
+exits 0 "on the sheet" "$ISOLOFT" plot "$samples/v_pair_cut.loft"
+says "as well" out "cut on the medial axis"
+awk 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\"\nslice 0\nring\n0 0\n9 0\n9 9\n0 9\nslice 2"
+    print "ring\n1 1\n4 1\n4 8\nring\n5 1\n8 1\n8 8\nring\n9 10\n11 10\n11 12"
+    print "pair\nmatcher none\ngroup\nlower 0\nupper 0 1 2\nlink 0 0 overlap 0\nlink 0 1 overlap 0\nlink 0 2 join 3\nend" }' >links.loft
+exits 0 "links" "$ISOLOFT" plot links.loft --pair 0
+says "have their reasons" out "overlap: 2 links"
+says "guesses are named" out "guessed, gap &gt; height: 1 link"
+says "and how far they reach" out "Links reach over gaps of up to 3 mm, 1.5 of the slab's height"
+holds "a dot on each end" test "$(count '<circle' out)" -eq 6
+exits 0 "two regions that overlap and nothing else" "$ISOLOFT" plot "$samples/v_pair_arcs.loft" --pair 0
+holds "need no line" sh -c '! grep -q "<circle" out'
 says "how much is matched" out "2 pairs of matched arcs: 92.9 % of the lower outline"
 for sample in "$samples"/v_*.loft; do
     name=${sample##*/}

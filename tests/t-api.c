@@ -328,6 +328,41 @@ static void collect(void *self, const char *sentence)
     strncat(all, "\n", 1000 - strlen(all));
 }
 
+/* A thick pillar, and a thin one beside it that leaves it by 2.5 from slice to slice, so that its
+ * rings lie 0.5 apart; slices are HEIGHT apart. */
+static long pieces_of(double height, const il_settings *settings)
+{
+    double xy[8][8];
+    il_contour c[8];
+    for (int k = 0; k < 4; k++)
+        for (int thin = 0; thin < 2; thin++) {
+            double x = thin ? 20.5 + 2.5 * k : 0, size = thin ? 2 : 20;
+            memcpy(xy[2 * k + thin], (double[]){ x, 0, x + size, 0, x + size, size, x, size }, sizeof *xy);
+            c[2 * k + thin] = (il_contour){ k * height, xy[2 * k + thin], 4, 0 };
+        }
+    il_from from = { .contour = c, .n_contours = 8 };
+    il_solids s = IL_SOLIDS_INIT;
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, settings, NULL), IL_OK);
+    long n = s.solid[0].components;
+    il_solids_free(&s);
+    return n;
+}
+
+static void rings_apart_are_linked_as_is_wanted(void **state)
+{
+    (void)state;
+    char all[1001] = "";
+    assert_int_equal(pieces_of(1, &(il_settings){ .pieces = IL_PIECES_OVERLAP }), 5);
+    assert_int_equal(pieces_of(1, &(il_settings){ .unmatched = 1 }), 5);
+    assert_true(pieces_of(1, NULL) <= 2);
+    assert_int_equal(pieces_of(0.25, NULL), 5);
+    assert_true(pieces_of(0.25, &(il_settings){ .pieces = IL_PIECES_FEW, .note = collect, .note_self = all }) <= 2);
+    assert_non_null(strstr(all, "guesses"));
+    il_from from = from_box();
+    il_solids s = IL_SOLIDS_INIT;
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &(il_settings){ .pieces = (il_pieces_mode)3 }, NULL), IL_E_USAGE);
+}
+
 static void repairs_are_told(void **state)
 {
     (void)state;
@@ -404,6 +439,7 @@ int main(void)
         cmocka_unit_test(arrays_and_text_give_the_same_bytes),
         cmocka_unit_test(stack_numbers_part_solids),
         cmocka_unit_test(slices_are_matched_unless_told_otherwise),
+        cmocka_unit_test(rings_apart_are_linked_as_is_wanted),
         cmocka_unit_test(gaps_and_single_slices_are_treated_as_is_wanted),
         cmocka_unit_test(a_dome_adds_to_the_volume),
         cmocka_unit_test(a_file_appears_whole_or_not_at_all),

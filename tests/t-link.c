@@ -302,7 +302,7 @@ static char *links_text(const il_pair *p, char *to)
     for (size_t i = 0; i < p->n_groups; i++)
         for (size_t k = 0; k < p->group[i].n_links; k++) {
             const il_link *l = &p->group[i].link[k];
-            n += (size_t)snprintf(to + n, 500 - n, "%s%u %u %s", n > 0 ? ", " : "", (unsigned)l->lower, (unsigned)l->upper, name[l->reason]);
+            n += (size_t)snprintf(to + n, 500 - n, "%s%u %u %s", n > 0 ? ", " : "", l->lower, l->upper, name[l->reason]);
             if (l->reach > 0)
                 n += (size_t)snprintf(to + n, 500 - n, " %.6g", l->reach);
         }
@@ -322,15 +322,17 @@ static void holes_are_linked_with_holes_and_with_what_they_open_to(void **state)
         { SQUARE "; 4 4, 4 8, 5 8, 5 4", NOTCHED, "0 0 overlap, 1 0 opening", "0 0 overlap, 0 1 opening" },   /* 3 of 4 */
         { FRAMED, "0 0, 9 0, 9 9, 4.45 9, 4.45 6.8, 4.4 6.8, 4.4 9, 0 9", "0 0 overlap", "0 0 overlap" },      /* 0.01 of 25 */
         { FRAMED, "0 0, 9 0, 9 9, 5 9, 5 6, 4 6, 4 9, 0 9", "0 0 overlap, 1 0 opening", "0 0 overlap, 0 1 opening" }, /* 1 of 25 */
-        { FRAMED, "0 0, 9 0, 9 9, 5 9, 5 6, 4 6, 4 9, 0 9; 3 3, 3 5, 6 5, 6 3", "0 0 overlap, 1 1 overlap", "0 0 overlap, 1 1 overlap" },
+        { FRAMED, "0 0, 9 0, 9 9, 5 9, 5 6, 4 6, 4 9, 0 9; 3 3, 3 5, 6 5, 6 3", "0 0 overlap, 1 1 overlap",
+          "0 0 overlap, 1 1 overlap" },
         { FRAMED, "0 0, 9 0, 9 9, 0 9, 0 8.5, 6.5 8.5, 6.5 3.5, 0 3.5; 1 1, 1 3, 8 3, 8 1",                  /* most of it opens */
           "0 0 overlap, 0 1 opening 1, 1 0 opening, 1 1 overlap", "0 0 overlap, 0 1 opening, 1 0 opening 1, 1 1 overlap" },
         { FRAMED, "0 0, 9 0, 9 1, 0 1", "0 0 overlap, 1 0 opening 1", "0 0 overlap, 0 1 opening 1" },
         { FRAMED, "0 0, 9 0, 9 1, 0 1; 0 8.5, 9 8.5, 9 9, 0 9", "0 0 overlap, 0 1 overlap, 1 0 opening 1",
           "0 0 overlap, 0 1 opening 1, 1 0 overlap" },
         { FRAMED, "3 3, 6 3, 6 6, 3 6", "", "" },                              /* no region is linked */
-        { FRAMED "; 3 3, 6 3, 6 6, 3 6", FRAMED "; 4 4, 7.5 4, 7.5 6, 4 6", "0 0 overlap, 0 2 overlap, 1 1 overlap, 2 2 overlap",
-          "0 0 overlap, 1 1 overlap, 2 0 overlap, 2 2 overlap" },
+        { FRAMED "; 3 3, 6 3, 6 6, 3 6", SQUARE "; 1 1, 1 8, 8 8, 8 1; 4 4, 7.5 4, 7.5 6, 4 6",              /* an island lands */
+          "0 0 overlap, 0 2 overlap, 1 1 overlap, 1 2 opening, 2 2 overlap",
+          "0 0 overlap, 1 1 overlap, 2 0 overlap, 2 1 opening, 2 2 overlap" },
     };
     for (size_t k = 0; k < 2 * sizeof c / sizeof *c; k++) {
         char text[500];

@@ -198,12 +198,12 @@ static void score_links(const tree_slices *s, const il_linkage *l, score *to, bo
 
 static void find_links(const tree_slices *s, int pieces, il_linkage *l)
 {
-    static const il_pieces all[N_PIECES] = { IL_PIECES_OVERLAP, IL_PIECES_USUAL, IL_PIECES_FEW };
-    bool *parted = il_calloc(s->n, sizeof *parted);
+    static const il_pieces_mode all[N_PIECES] = { IL_PIECES_OVERLAP, IL_PIECES_USUAL, IL_PIECES_FEW };
+    const il_pair **none = il_calloc(s->n, sizeof *none);
     il_linkage_options o = il_linkage_options_for(all[pieces]);
-    assert_non_null(parted);
-    assert_int_equal(il_linkage_find(l, s->slice, s->n, parted, &o, NULL), IL_OK);
-    il_free(parted);
+    assert_non_null(none);
+    assert_int_equal(il_linkage_find(l, s->slice, s->n, none, &o, NULL), IL_OK);
+    il_free(none);
 }
 
 static size_t count_pairs(const tree_slices *s)
@@ -324,7 +324,7 @@ static il_status loft(const tree_slices *s, keeper *k, il_error *err)
     *k = new_keeper();
     assert_int_equal(il_lofter_new(&lofter, &o, &k->sink, NULL), IL_OK);
     assert_int_equal(il_matcher_new(&matcher, &match, lofter, NULL), IL_OK);
-    assert_int_equal(il_linker_new(&linker, &link, matcher, NULL), IL_OK);
+    assert_int_equal(il_linker_new(&linker, &link, NULL, matcher, NULL, NULL), IL_OK);
     il_status st = send_slices(linker, s, err);
     il_linker_free(linker);
     il_matcher_free(matcher);

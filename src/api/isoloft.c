@@ -1,6 +1,6 @@
 /* isoloft.c - isoloft.h: the stages put together for a caller's program.
  *
- *     reader or arrays > clean > join > [gaps] > match > [round] > relief or lofter > tally > writer or arrays
+ *     reader or arrays > clean > join > [gaps] > [link] > match > survey > [round] > relief or lofter > tally > writer or arrays
  *
  * As in the command, rounding for formats of 32-bit floats is a cleaning stage
  * of its own behind the matching, so that both give the same bytes. */
@@ -14,8 +14,11 @@
 #include "base/threads.h"
 #include "input/reader.h"
 #include "loft/lofter.h"
+#include "match/linker.h"
 #include "match/matcher.h"
 #include "match/refit.h"
+#include "match/survey.h"
+#include "model/tee.h"
 #include "output/writer.h"
 #include "region/clean.h"
 #include "region/gapper.h"
@@ -50,7 +53,8 @@ typedef struct work {
     il_mesh_sink *mesh_writer;
     il_solids_sink solids;
     tally tally;
-    il_sink *lofter, *relief, *rounder, *matcher, *gapper, *joiner, *cleaner, *first;
+    il_sink *lofter, *relief, *rounder, *survey, *survey_tee, *matcher, *linker, *gapper, *joiner, *cleaner, *first;
+    il_link_facts links;
     il_refit *refit;
     il_report report, rounding;
 } work;
@@ -78,6 +82,8 @@ static il_status check_call(work *w, il_error *err)
         return il_fail(err, IL_E_USAGE, 0, "fit and z_scale of maps must be positive, or 0 for none, and base a height");
     if ((unsigned)w->settings.gaps > IL_GAPS_FAIL)
         return il_fail(err, IL_E_USAGE, 0, "gaps are treated in no way number %d", (int)w->settings.gaps);
+    if ((unsigned)w->settings.pieces > IL_PIECES_OVERLAP)
+        return il_fail(err, IL_E_USAGE, 0, "pieces are linked in no way number %d", (int)w->settings.pieces);
     return IL_OK;
 }
 
@@ -243,46 +249,84 @@ static il_status build_relief(work *w, bool rounds, il_error *err)
     return st;
 }
 
+/* From here on w->first is the stage that the one built next is to call. */
+static il_status build_rounder(work *w, bool rounds, il_error *err)
+{
+    const il_clean_options rounded = { .round_float = true };
+    w->first = w->relief;
+    if (!rounds)
+        return IL_OK;
+    il_status st = il_refit_new(&w->refit, w->first, err);
+    if (st == IL_OK)
+        st = il_cleaner_new(&w->rounder, &rounded, il_refit_behind(w->refit), &w->rounding, err);
+    if (st == IL_OK)
+        w->first = il_refit_before(w->refit, w->rounder);
+    return st;
+}
+
+static il_status build_matcher(work *w, il_error *err)
+{
+    il_match_options m = IL_MATCH_OPTIONS_INIT;
+    m.matcher = w->settings.unmatched ? IL_MATCHER_NONE : IL_MATCHER_FFD;
+    m.threads = threads_of(&w->settings);
+    bool hints = !w->settings.unmatched && w->settings.pieces == IL_PIECES_USUAL;
+    il_status st = il_survey_new(&w->survey, hints, &w->links, &w->report, err);
+    if (st == IL_OK)
+        st = il_tee_new(&w->survey_tee, w->survey, w->first, err);
+    if (st == IL_OK)
+        st = il_matcher_new(&w->matcher, &m, w->survey_tee, err);
+    w->first = w->matcher;
+    return st;
+}
+
+static il_status build_linker(work *w, il_error *err)
+{
+    if (w->settings.unmatched || w->settings.pieces == IL_PIECES_OVERLAP)
+        return IL_OK; /* the matcher links what overlaps itself */
+    il_linkage_options o = il_linkage_options_for(w->settings.pieces);
+    il_status st = il_linker_new(&w->linker, &o, NULL, w->first, &w->report, err);
+    w->first = w->linker;
+    return st;
+}
+
 static il_status build_gapper(work *w, il_error *err)
 {
     il_gap_options g = { .mode = w->settings.gaps, .thickness = w->settings.thickness };
     if (!il_gap_options_settle(&g, w->reader && w->reader->is_patient))
         return IL_OK;
-    return il_gapper_new(&w->gapper, &g, w->matcher, &w->report, err);
+    il_status st = il_gapper_new(&w->gapper, &g, w->first, &w->report, err);
+    w->first = w->gapper;
+    return st;
 }
 
-static il_status build_joiner(work *w, il_error *err)
+static il_status build_cleaner(work *w, il_error *err)
 {
     const il_join_options ends_meet = { 0 };
-    return il_joiner_new(&w->joiner, &ends_meet, w->gapper ? w->gapper : w->matcher, &w->report, err);
+    bool is_set = w->reader && w->reader->is_patient;
+    il_clean_options as_is = { .keyhole = is_set ? IL_KEYHOLE_MM : 0, .keyhole_is_mm = true };
+    il_status st = il_joiner_new(&w->joiner, &ends_meet, w->first, &w->report, err);
+    if (st == IL_OK)
+        st = il_cleaner_new(&w->cleaner, &as_is, w->joiner, &w->report, err);
+    w->first = w->cleaner;
+    return st;
 }
 
 /* Last to first, for a stage is given the next one. */
 static il_status build_stages(work *w, il_error *err)
 {
     bool rounds = w->writer && w->writer->round_float;
-    bool is_set = w->reader && w->reader->is_patient;
-    il_clean_options as_is = { .keyhole = is_set ? IL_KEYHOLE_MM : 0, .keyhole_is_mm = true }, rounded = { .round_float = true };
-    il_match_options m = IL_MATCH_OPTIONS_INIT;
-    m.matcher = w->settings.unmatched ? IL_MATCHER_NONE : IL_MATCHER_FFD;
-    m.threads = threads_of(&w->settings);
     il_status st = build_lofter(w, rounds, err);
     if (st == IL_OK)
         st = build_relief(w, rounds, err);
-    if (st == IL_OK && rounds)
-        st = il_refit_new(&w->refit, w->relief, err);
-    if (st == IL_OK && rounds)
-        st = il_cleaner_new(&w->rounder, &rounded, il_refit_behind(w->refit), &w->rounding, err);
     if (st == IL_OK)
-        st = il_matcher_new(&w->matcher, &m, rounds ? il_refit_before(w->refit, w->rounder) : w->relief, err);
+        st = build_rounder(w, rounds, err);
+    if (st == IL_OK)
+        st = build_matcher(w, err);
+    if (st == IL_OK)
+        st = build_linker(w, err);
     if (st == IL_OK)
         st = build_gapper(w, err);
-    if (st == IL_OK)
-        st = build_joiner(w, err);
-    if (st == IL_OK)
-        st = il_cleaner_new(&w->cleaner, &as_is, w->joiner, &w->report, err);
-    w->first = w->cleaner;
-    return st;
+    return st == IL_OK ? build_cleaner(w, err) : st;
 }
 
 static void free_work(work *w)
@@ -290,8 +334,12 @@ static void free_work(work *w)
     il_cleaner_free(w->cleaner);
     il_joiner_free(w->joiner);
     il_gapper_free(w->gapper);
+    il_linker_free(w->linker);
     if (w->matcher)
         il_matcher_free(w->matcher);
+    il_tee_free(w->survey_tee);
+    il_survey_free(w->survey);
+    il_link_facts_free(&w->links);
     il_cleaner_free(w->rounder);
     il_refit_free(w->refit);
     il_relief_free(w->relief);

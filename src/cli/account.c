@@ -22,6 +22,7 @@ static void stack_account_free(il_stack_account *s)
     il_free(s->file);
     il_free(s->error);
     il_free(s->gap);
+    il_link_facts_free(&s->links);
     il_terrain_free(&s->terrain);
     il_report_free(&s->report);
 }
@@ -159,6 +160,8 @@ static il_status close_record(il_account *a, il_error *err)
     a->began = 0;
     s->report = a->report;
     a->report = (il_report)IL_REPORT_INIT;
+    s->links = a->links;
+    a->links = (il_link_facts)IL_LINK_FACTS_INIT;
     const char *file = s->status == IL_OK && a->options.file_of ? a->options.file_of(a->options.file_of_self) : NULL;
     if (file && !(s->file = il_strndup(file, strlen(file))))
         return il_fail_nomem(err);
@@ -372,6 +375,7 @@ void il_account_free(il_account *a)
         stack_account_free(&a->stack[k]);
     il_free(a->stack);
     il_slicing_free(&a->slicing);
+    il_link_facts_free(&a->links);
     il_report_free(&a->report);
     il_report_free(&a->rounding);
     a->stack = NULL;

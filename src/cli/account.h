@@ -9,6 +9,7 @@
 #include "cli/sections.h"
 #include "cli/slicing.h"
 #include "cli/terrain.h"
+#include "match/survey.h"
 #include "model/mesh.h"
 #include "model/report.h"
 #include "model/sink.h"
@@ -33,7 +34,7 @@ typedef struct il_gap {
  * has_mesh: facts were given, so the surface is certified.  file: what it was
  * written to in a folder, or null.  error: one line, null unless it failed.
  * is_terrain: its slices are levels, and its rings lines; terrain tells of them, and
- * there are no gaps and no sections.  frame, mesh_unit, placement: of its mesh. */
+ * there are no gaps and no sections.  links: where its slices were matched.  frame, mesh_unit, placement: of its mesh. */
 typedef struct il_stack_account {
     char *name, *type, *algorithm, *frame_uid, *file, *error;
     const char *planes;
@@ -46,6 +47,7 @@ typedef struct il_stack_account {
     il_spacing spacing;
     double set_spacing;
     il_sections sections;
+    il_link_facts links;
     il_terrain terrain;
     double seconds;
     il_gap *gap;        size_t n_gaps, cap_gaps;
@@ -77,7 +79,8 @@ typedef struct il_account_options {
 /* report: for all stages to count into; what is in it goes to the stack that
  * ends next.  rounding: that of the stage that rounds for STL, which cleans what
  * is clean already.  slicing, inserted_...: of the current stack, and how much of
- * its slices isoloft put there (il_slice_is_inserted).  skipping: it has failed,
+ * its slices isoloft put there (il_slice_is_inserted).  links: of the current stack, for a survey to
+ * fill (match/survey.h).  skipping: it has failed,
  * and what still comes of it is dropped.
  * began: when the current stack did, for a stopwatch to set (0: at the tap).
  * worst: the highest code of any stack. */
@@ -91,6 +94,7 @@ typedef struct il_account {
     il_stack_account *stack;    size_t n, cap;
     il_slicing slicing;
     size_t inserted_slices, inserted_rings, inserted_points;
+    il_link_facts links;
     bool in_stack, in_mesh, skipping;
     double began;
     size_t n_triangles;

@@ -563,7 +563,7 @@ const il_option il_option_table[] = {
       NULL, "how slices are matched: deformed, or as they lie", set_matcher },
     { 0, "pieces", "few|overlap", IL_OPTION_VALUE_OR_NO, LOFTERS | MATCH | PLOT,
       NULL, "link across gaps: far, for vessels, or never", set_pieces },
-    { 0, "links", "FILE", IL_OPTION_VALUE, LOFTERS | MATCH,
+    { 0, "links", "FILE", IL_OPTION_VALUE, LOFTERS | MATCH | PLOT,
       NULL, "rings belong together as FILE says", set_links },
     { 0, "links-out", "FILE", IL_OPTION_VALUE, CONVERT | MATCH | MESH,
       NULL, "also write which rings belong together", set_links_out },

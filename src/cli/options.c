@@ -224,8 +224,9 @@ static il_status settle_relief(il_options *o, il_error *err)
 /* The skeleton is the one picture for which links are looked for. */
 static il_status check_pieces(const il_options *o, il_error *err)
 {
-    if (o->verb == IL_VERB_PLOT && il_options_given(o, "pieces") && o->picture.what != IL_PICTURE_SKELETON)
-        return il_fail(err, IL_E_USAGE, 0, "--pieces goes with --skeleton: other pictures show what the stream says");
+    const char *given = il_options_given(o, "pieces") ? "pieces" : o->links ? "links" : NULL;
+    if (o->verb == IL_VERB_PLOT && given && o->picture.what != IL_PICTURE_SKELETON)
+        return il_fail(err, IL_E_USAGE, 0, "--%s goes with --skeleton: other pictures show what the stream says", given);
     return IL_OK;
 }
 

@@ -59,7 +59,7 @@ typedef struct il_options {
     il_picture_options picture;
     double join;                /* how far apart ends of lines may be that are joined, in the unit of the stacks */
     il_matcher matcher;
-    il_pieces pieces;
+    il_pieces_mode pieces;
     bool keep_lattices;
     int threads;
     il_when progress;

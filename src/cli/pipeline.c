@@ -13,6 +13,7 @@
 #include "match/linker.h"
 #include "match/matcher.h"
 #include "match/refit.h"
+#include "match/survey.h"
 #include "match/unlinked.h"
 #include "model/ras.h"
 #include "model/rescale.h"
@@ -37,8 +38,8 @@ typedef struct pipeline {
     il_destination *destination;
     il_output *pairs, *links_out;
     il_given given;
-    il_sink *pairs_writer, *links_writer, *lofter, *relief, *rounder, *tee, *links_tee, *matcher, *linker, *unlinked, *gapper;
-    il_sink *measure, *joiner, *cleaner, *ras, *rescaler;
+    il_sink *pairs_writer, *links_writer, *lofter, *relief, *rounder, *tee, *links_tee, *survey, *survey_tee, *matcher, *linker;
+    il_sink *unlinked, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler;
     il_sink *select, *guard, *first;
     il_frame_file outline;
     il_refit *refit;
@@ -237,6 +238,20 @@ static il_status build_links_tee(pipeline *p, il_error *err)
     return st;
 }
 
+/* Whoever has said how to link needs no hint. */
+static il_status build_survey(pipeline *p, il_error *err)
+{
+    const il_options *o = p->options;
+    if (!p->plan->match)
+        return IL_OK;
+    bool hints = o->matcher != IL_MATCHER_NONE && !il_options_given(o, "pieces") && !o->links;
+    il_status st = il_survey_new(&p->survey, hints, &p->account->links, &p->account->report, err);
+    if (st == IL_OK)
+        st = il_tee_new(&p->survey_tee, p->survey, p->first, err);
+    p->first = st == IL_OK ? p->survey_tee : p->first;
+    return st;
+}
+
 static il_status build_matcher(pipeline *p, il_error *err)
 {
     if (!p->plan->match)
@@ -339,8 +354,8 @@ static il_status build_select(pipeline *p, il_error *err)
 static il_status build_stages(pipeline *p, il_error *err)
 {
     static il_status (*const builders[])(pipeline *, il_error *) = {
-        build_rounder, build_tee, build_links_tee, build_matcher, build_linker, build_gapper, build_measure, build_joiner,
-        build_cleaner, build_ras, build_rescaler, build_select };
+        build_rounder, build_tee, build_links_tee, build_survey, build_matcher, build_linker, build_gapper, build_measure,
+        build_joiner, build_cleaner, build_ras, build_rescaler, build_select };
     il_sink *end = NULL;
     il_status st = build_end(p, &end, err);
     p->first = il_account_contours(p->account, end);
@@ -366,6 +381,8 @@ static void free_pipeline(pipeline *p)
     il_refit_free(p->refit);
     il_tee_free(p->tee);
     il_tee_free(p->links_tee);
+    il_tee_free(p->survey_tee);
+    il_survey_free(p->survey);
     if (p->rounder)
         il_cleaner_free(p->rounder);
     il_frame_file_guard_free(p->guard);

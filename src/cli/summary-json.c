@@ -84,6 +84,44 @@ static void put_heights(il_json *j, const il_stack_account *s)
     il_json_close(j, ']');
 }
 
+static void put_guesses(il_json *j, const il_link_facts *f)
+{
+    il_json_key(j, "guessed");
+    il_json_open(j, '[');
+    for (size_t k = 0; k < f->n_guesses; k++) {
+        const il_guess *g = &f->guess[k];
+        il_json_open(j, '{');
+        put_number(j, "from", g->below);
+        put_number(j, "to", g->above);
+        put_count(j, "lower", g->link.lower);
+        put_count(j, "upper", g->link.upper);
+        put_number(j, "reach", g->link.reach);
+        put_number(j, "heights", g->link.reach / (g->above - g->below));
+        il_json_close(j, '}');
+    }
+    il_json_close(j, ']');
+}
+
+/* Null where slices were not matched. */
+static void put_links(il_json *j, const il_link_facts *f)
+{
+    il_json_key(j, "links");
+    if (f->pairs == 0) {
+        il_json_null(j);
+    } else {
+        il_json_open(j, '{');
+        for (int k = 0; k < IL_N_LINK_REASONS; k++)
+            put_count(j, il_link_reason_word((il_link_reason)k), f->n_by[k]);
+        il_json_close(j, '}');
+    }
+    put_guesses(j, f);
+    il_json_key(j, "parts");
+    f->pairs > 0 && f->parts > 0 ? il_json_integer(j, (long long)f->parts) : il_json_null(j);
+    put_number(j, "median_join", f->joined);
+    il_json_key(j, "undersampled");
+    il_json_bool(j, f->undersampled);
+}
+
 /* Null where no surface was made. */
 static void put_mesh(il_json *j, const il_stack_account *s)
 {
@@ -173,6 +211,7 @@ static void put_stack(il_json *j, const il_stack_account *s)
     put_heights(j, s);
     put_report(j, &s->report, s->is_terrain);
     put_oddities(j, s);
+    put_links(j, &s->links);
     put_mesh(j, s);
     put_sums(j, s);
     if (s->is_terrain)

@@ -46,6 +46,17 @@ static const char *stack_label(const il_stack_account *s, size_t index, char *to
     return to;
 }
 
+/* "12 overlap, 3 join" of F; "none". */
+static void links_text(char *to, size_t size, const il_link_facts *f)
+{
+    *to = '\0';
+    for (int k = 0; k < IL_N_LINK_REASONS; k++)
+        if (f->n_by[k] > 0)
+            il_text_append(to, size, "%s%zu %s", *to ? ", " : "", f->n_by[k], il_link_reason_word((il_link_reason)k));
+    if (!*to)
+        il_text_append(to, size, "none");
+}
+
 /* ---- the table ----------------------------------------------------------- */
 
 /* What the input calls it. */
@@ -104,6 +115,19 @@ static void report_rows(il_output *out, const il_report *r)
         il_table_row(out, "skipped", "%zu in all", r->n_skipped);
     for (size_t k = 0; k < r->n_notes; k++)
         il_table_row(out, "note", "%s", r->note[k]);
+}
+
+/* Why rings belong together, where they were looked at for that. */
+static void links_rows(il_output *out, const il_link_facts *f)
+{
+    char text[TEXT];
+    links_text(text, sizeof text, f);
+    if (f->pairs > 0)
+        il_table_row(out, "links", "%s", text);
+    if (f->n_guesses > 0)
+        il_table_row(out, "guessed", "%zu of them", f->n_guesses);
+    if (f->pairs > 0 && f->parts > 0)
+        il_table_row(out, "parts", "%zu, as linked", f->parts);
 }
 
 /* How the contours were settled, as shares of their length. */
@@ -191,6 +215,7 @@ static void stack_rows(il_output *out, const il_account *a, bool surface)
         report_rows(out, &s->report);
         if (!surface)
             continue;
+        links_rows(out, &s->links);
         s->is_terrain ? il_summary_surface_rows(s, out) : mesh_rows(out, s);
         if (!s->is_terrain)
             sum_rows(out, s);
@@ -260,12 +285,28 @@ static void say_report(const il_stack_account *s, const char *label, il_voice *v
     say_near_slices(s, label, v);
 }
 
+static void say_links(const il_stack_account *s, const char *label, il_voice *v)
+{
+    char text[TEXT];
+    const il_link_facts *f = &s->links;
+    links_text(text, sizeof text, f);
+    if (f->pairs > 0)
+        il_message_detail(v, "%s: links: %s", label, text);
+    for (size_t k = 0; k < f->n_guesses; k++) {
+        const il_guess *g = &f->guess[k];
+        il_message_detail(v, "%s: guessed from z %.9g to %.9g: ring %lu to ring %lu, %.4g %s apart, %.3g heights", label,
+                          g->below, g->above, (unsigned long)g->link.lower, (unsigned long)g->link.upper, g->link.reach,
+                          il_unit_name(s->unit), g->link.reach / (g->above - g->below));
+    }
+}
+
 static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
 {
     const il_mesh_facts *f = &s->facts;
     const char *unit = il_unit_name(s->is_terrain ? s->mesh_unit : s->unit);
     il_message_detail(v, s->is_terrain ? "%s: %zu levels, %zu lines, %zu points" : "%s: %zu slices, %zu rings, %zu points",
                       label, s->slices, s->rings, s->points);
+    say_links(s, label, v);
     if (s->has_mesh && f->is_open) {
         il_message_detail(v, "%s: %zu vertices, %zu triangles, certified, open at the frame; area %.6g %s^2", label,
                           f->vertices, f->triangles, f->area, unit);

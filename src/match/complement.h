@@ -18,8 +18,9 @@
  * more than half where it has a hole to go on to: as it lies where the regions overlap by
  * 0.3 of the lesser, else moved by the mean of where their links would take it.  So does
  * every hole that hangs together with one that opens.  The ring is the nearest of those that
- * its own region is linked to, or else of all; reach is the distance of the two as they lie.  Links keep to groups: between regions that are
- * not linked there is none, whatever their holes do.
+ * its own region is linked to, or else of all; reach is the distance of the two as they lie.
+ * Links keep to groups: between regions that are not linked there is none, whatever their holes
+ * do.
  * O(n log n) for contours; nothing to do without holes.  IL_E_NOMEM: *LINK and *N stay. */
 il_status il_complement_link(il_link **link, size_t *n, const il_slice *lower, const il_slice *upper, il_error *err);
 

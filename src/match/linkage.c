@@ -45,7 +45,7 @@ typedef struct linking {
     uint32_t *waiting, *next;
 } linking;
 
-il_linkage_options il_linkage_options_for(il_pieces pieces)
+il_linkage_options il_linkage_options_for(il_pieces_mode pieces)
 {
     il_linkage_options o = IL_LINKAGE_OPTIONS_INIT;
     if (pieces == IL_PIECES_FEW)

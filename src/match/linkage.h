@@ -20,17 +20,15 @@ typedef struct il_linkage_options {
 
 #define IL_LINKAGE_OPTIONS_INIT { 0.1, 0.75, 0.25, 0.25 }
 
-/* How many pieces a stack should come out in: reach 0.75, which never harmed what is not a
- * vessel; 4, for vessels, where all is one piece; 0, overlaps alone, which need not know the
- * whole stack.
+/* USUAL: reach 0.75, which never harmed what is not a vessel; FEW: 4, for vessels, where all is
+ * one piece; OVERLAP: 0, overlaps alone, which need not know the whole stack.
  * Slanted vessels of which no two slices overlap are many parts of about one size, so a tenth
  * of the volume is enough to be joined onto, and what is joined may be as large; and they are
  * trees, so that what does not overlap closes no loop, however near it lies.  On the trees of
  * tests/t-trees.c that have 78 to 100 % of their links without overlap, F1 of the links rises
  * from 0.58 to 0.90 by the former; by the latter all links are right in 428 instead of 386 stacks
  * of 599, 1 to 4 mean diameters apart.  Neither changes anything on scanned portal veins. */
-typedef enum il_pieces { IL_PIECES_USUAL, IL_PIECES_FEW, IL_PIECES_OVERLAP } il_pieces;
-il_linkage_options il_linkage_options_for(il_pieces pieces);
+il_linkage_options il_linkage_options_for(il_pieces_mode pieces);
 
 /* link[first[k]] .. link[first[k + 1]]: the links of slab k, between outer rings of slices k and
  * k + 1, and of holes (complement.h), rising.  reach: the gap, unit. */

@@ -164,7 +164,8 @@ static il_status end(il_sink *self, il_error *err)
     return l->next->end(l->next, err);
 }
 
-il_status il_linker_new(il_sink **out, const il_linkage_options *o, const il_given *given, il_sink *next, il_report *report, il_error *err)
+il_status il_linker_new(il_sink **out, const il_linkage_options *o, const il_given *given, il_sink *next,
+                        il_report *report, il_error *err)
 {
     linker *l = il_calloc(1, sizeof *l);
     unsigned char *has_come = il_calloc(given ? given->n_stacks : 0, 1);

@@ -13,7 +13,8 @@
  * GIVEN (borrowed, or null) names they are as it says, whatever records the stream brought, which
  * il_linkage_given can refuse, and of others it is told in REPORT (borrowed) that they are not.
  * Terrain passes. */
-il_status il_linker_new(il_sink **out, const il_linkage_options *o, const il_given *given, il_sink *next, il_report *report, il_error *err);
+il_status il_linker_new(il_sink **out, const il_linkage_options *o, const il_given *given, il_sink *next,
+                        il_report *report, il_error *err);
 
 /* The first of GIVEN's stacks from the K-th on that has not come; its n_stacks when all have. */
 size_t il_linker_missed(const il_sink *s, size_t k);

@@ -11,6 +11,14 @@ int il_place_compare(const il_place *a, const il_place *b)
     return a->t < b->t ? -1 : a->t > b->t;
 }
 
+const char *il_link_reason_word(il_link_reason why)
+{
+    static const char *const words[IL_N_LINK_REASONS] = {
+        [IL_LINK_OVERLAP] = "overlap", [IL_LINK_SLANT] = "slant", [IL_LINK_NEAR] = "near", [IL_LINK_JOIN] = "join",
+        [IL_LINK_OPENING] = "opening", [IL_LINK_GIVEN] = "given" };
+    return words[why];
+}
+
 void il_fit_drop_lattices(il_fit *f)
 {
     for (size_t i = 0; i < f->n_lattices; i++)

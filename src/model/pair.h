@@ -72,8 +72,11 @@ typedef enum il_attempt { IL_ATTEMPT_S, IL_ATTEMPT_P, IL_ATTEMPT_B, IL_N_ATTEMPT
  * slant; they lie close; the link makes one of two parts that nothing else holds
  * together; a hole and the ring whose outside it opens to; the user says so. */
 typedef enum il_link_reason {
-    IL_LINK_OVERLAP, IL_LINK_SLANT, IL_LINK_NEAR, IL_LINK_JOIN, IL_LINK_OPENING, IL_LINK_GIVEN
+    IL_LINK_OVERLAP, IL_LINK_SLANT, IL_LINK_NEAR, IL_LINK_JOIN, IL_LINK_OPENING, IL_LINK_GIVEN, IL_N_LINK_REASONS
 } il_link_reason;
+
+/* "overlap", "slant", "near", "join", "opening", "given". */
+const char *il_link_reason_word(il_link_reason why);
 
 /* reach: distance of the outlines as they lie, unit. */
 typedef struct il_link {

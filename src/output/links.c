@@ -79,7 +79,8 @@ static void write_slab(writer *w)
         il_native_put_index(w->to, w->link[i].lower);
         il_native_put_index(w->to, w->link[i].upper);
         if (w->link[i].reach >= 0) {
-            il_output_string(w->to, il_native_reason(w->link[i].reason));
+            il_output_char(w->to, ' ');
+            il_output_string(w->to, il_link_reason_word(w->link[i].reason));
             il_native_put_number(w->to, w->link[i].reach);
         }
         il_output_char(w->to, '\n');

@@ -205,14 +205,6 @@ static il_status write_rings(il_output *to, const char *word, const uint32_t *ri
     return IL_OK;
 }
 
-const char *il_native_reason(il_link_reason why)
-{
-    static const char *const reasons[] = {
-        [IL_LINK_OVERLAP] = " overlap", [IL_LINK_SLANT] = " slant", [IL_LINK_NEAR] = " near",
-        [IL_LINK_JOIN] = " join", [IL_LINK_OPENING] = " opening", [IL_LINK_GIVEN] = " given" };
-    return reasons[why];
-}
-
 static il_status write_links(il_output *to, const il_group *g, il_error *err)
 {
     il_link *order = sorted(g->link, g->n_links, sizeof *order, compare_links);
@@ -222,7 +214,8 @@ static il_status write_links(il_output *to, const il_group *g, il_error *err)
         il_output_string(to, "link");
         il_native_put_index(to, order[i].lower);
         il_native_put_index(to, order[i].upper);
-        put_numbers(to, il_native_reason(order[i].reason), &order[i].reach, 1);
+        il_output_char(to, ' ');
+        put_numbers(to, il_link_reason_word(order[i].reason), &order[i].reach, 1);
     }
     il_free(order);
     return IL_OK;

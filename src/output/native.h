@@ -15,7 +15,5 @@ void il_native_put_number(il_output *to, double v);
 void il_native_put_index(il_output *to, uint32_t v);
 /* A blank and the quoted string. */
 void il_native_put_string(il_output *to, const char *s);
-/* " overlap" and so on. */
-const char *il_native_reason(il_link_reason why);
 
 #endif

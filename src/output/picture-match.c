@@ -1,17 +1,20 @@
 #include "config.h"
 #include "output/picture-match.h"
+#include "output/picture-branch.h"
 
 #include <math.h>
 
 const il_match_style il_match_large = {
     .contour = "stroke-width=\"1\"", .matched = "fill=\"none\" stroke-width=\"2\"",
     .unmatched = "fill=\"none\" stroke-width=\"4\"", .links = "fill=\"none\" stroke-width=\".6\"",
-    .inserted = "fill=\"none\" stroke=\"" IL_INK "\" stroke-width=\"4\"", .link_spacing = 10, .links_most = 1000 };
+    .inserted = "fill=\"none\" stroke=\"" IL_INK "\" stroke-width=\"4\"", .link_spacing = 10, .links_most = 1000,
+    .cut_width = 3 };
 
 const il_match_style il_match_small = {
     .contour = "stroke-width=\".5\"", .matched = "fill=\"none\" stroke-width=\"1\"",
     .unmatched = "fill=\"none\" stroke-width=\"2\"", .links = "fill=\"none\" stroke-width=\".4\"",
-    .inserted = "fill=\"none\" stroke=\"" IL_INK "\" stroke-width=\"2\"", .link_spacing = 7, .links_most = 200 };
+    .inserted = "fill=\"none\" stroke=\"" IL_INK "\" stroke-width=\"2\"", .link_spacing = 7, .links_most = 200,
+    .cut_width = 1.6 };
 
 /* By il_event: a colour, and dashes that tell them apart without it. */
 static const char *const event_attributes[3] = {
@@ -119,8 +122,12 @@ il_status il_picture_match(il_svg_page *page, const il_svg_view *v, il_arcs *a, 
     il_match_facts *f = facts ? facts : &unused;
     *f = (il_match_facts){ .lower_length = slice_length(a->lower), .upper_length = slice_length(a->upper) };
     draw_slices(page, v, a, style);
+    il_status st = il_picture_pieces(page, v, a->lower, a->pair, false, err);
+    if (st == IL_OK)
+        st = il_picture_pieces(page, v, a->upper, a->pair, true, err);
     il_svg_open(page, style->matched);
-    il_status st = draw_matched(page, v, a, false, &f->lower_matched, err);
+    if (st == IL_OK)
+        st = draw_matched(page, v, a, false, &f->lower_matched, err);
     if (st == IL_OK)
         st = draw_matched(page, v, a, true, &f->upper_matched, err);
     il_svg_close(page);
@@ -130,11 +137,12 @@ il_status il_picture_match(il_svg_page *page, const il_svg_view *v, il_arcs *a, 
     for (int e = 0; e < 3 && st == IL_OK; e++)
         st = draw_unmatched(page, v, a, (il_event)e, &f->unmatched[e], err);
     il_svg_close(page);
+    il_picture_cuts(page, v, a->pair, style->cut_width);
     draw_insertions(page, v, a->pair, style);
     return st;
 }
 
-size_t il_picture_match_legend(il_legend_entry *entry, bool matched, bool inserted, const size_t unmatched[3])
+size_t il_picture_match_legend(il_legend_entry *entry, const il_match_drawn *d)
 {
     static const il_legend_entry lower =
         { "fill=\"" IL_LOWER_COLOR "\" fill-opacity=\".15\" stroke=\"" IL_LOWER_COLOR "\" stroke-width=\"1\"",
@@ -148,6 +156,8 @@ size_t il_picture_match_legend(il_legend_entry *entry, bool matched, bool insert
         { "stroke=\"" IL_LINK_COLOR "\" stroke-width=\".8\"", "upper point to its partner", IL_SWATCH_LINE };
     static const il_legend_entry dot =
         { "stroke=\"" IL_INK "\" stroke-width=\"4\" stroke-dasharray=\".01 9\"", "inserted points", IL_SWATCH_LINE };
+    static const il_legend_entry cut = { il_cut_attributes, "cut on the medial axis", IL_SWATCH_LINE };
+    static const il_legend_entry piece = { il_piece_attributes, "pieces of a cut region", IL_SWATCH_BOX };
     static const il_legend_entry events[3] = {
         { "stroke=\"#009e73\" stroke-width=\"4\" stroke-linecap=\"butt\"", "unmatched: branch", IL_SWATCH_LINE },
         { "stroke=\"#aa4499\" stroke-width=\"4\" stroke-linecap=\"butt\" stroke-dasharray=\"7 2.5\"", "unmatched: cap", IL_SWATCH_LINE },
@@ -156,14 +166,18 @@ size_t il_picture_match_legend(il_legend_entry *entry, bool matched, bool insert
     size_t n = 0;
     entry[n++] = lower;
     entry[n++] = upper;
-    if (matched)
+    if (d->matched)
         entry[n++] = thick;
-    if (matched)
+    if (d->matched)
         entry[n++] = link;
-    if (inserted)
+    if (d->inserted)
         entry[n++] = dot;
+    if (d->cut)
+        entry[n++] = cut;
+    if (d->cut)
+        entry[n++] = piece;
     for (int e = 0; e < 3; e++)
-        if (unmatched[e] > 0)
+        if (d->unmatched[e] > 0)
             entry[n++] = events[e];
     return n;
 }

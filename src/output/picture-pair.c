@@ -2,6 +2,8 @@
  * as they lie with what corresponds, and the plane as phi deforms it. */
 #include "config.h"
 #include "base/alloc.h"
+#include "output/picture-bonds.h"
+#include "output/picture-branch.h"
 #include "output/picture-grid.h"
 #include "output/picture-match.h"
 #include "output/picture-table.h"
@@ -221,12 +223,19 @@ static size_t grid_legend(il_legend_entry *entry, const il_grid_facts *g, il_lab
     return n;
 }
 
-static void draw_legend(il_svg_page *page, const il_pair *p, const il_match_facts *m, const il_grid_facts *grid, bool deformed)
+static void draw_legend(il_svg_page *page, const il_pair *p, const il_match_facts *m, const il_grid_facts *grid,
+                        const il_skeleton *links)
 {
-    il_legend_entry entry[IL_MATCH_ENTRIES + 4];
+    il_legend l = { .n = 0 };
     il_label words = IL_LABEL_INIT;
-    size_t n = il_picture_match_legend(entry, count_matches(p) > 0, p->n_insertions > 0, m->unmatched);
-    if (deformed) {
+    il_match_drawn d = { count_matches(p) > 0, p->n_insertions > 0, p->n_cuts > 0, { 0, 0, 0 } };
+    il_legend_entry *entry = l.entry;
+    memcpy(d.unmatched, m->unmatched, sizeof d.unmatched);
+    l.n = il_picture_match_legend(entry, &d);
+    if (links)
+        il_legend_add_bonds(&l, links, 1.4);
+    size_t n = l.n;
+    if (p->n_phi > 0) {
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_LOWER_BAND "\" stroke-width=\"4.5\"", "lower contour in (b)", IL_SWATCH_LINE };
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\"1.3\"", "\xCF\x86(upper contour)", IL_SWATCH_LINE };
         entry[n++] = (il_legend_entry){ "stroke=\"" IL_UPPER_COLOR "\" stroke-width=\".8\" stroke-dasharray=\"2 3\"",
@@ -234,6 +243,23 @@ static void draw_legend(il_svg_page *page, const il_pair *p, const il_match_fact
     }
     n += grid_legend(entry + n, grid, &words);
     il_picture_legend(page, entry, n);
+}
+
+/* The links of the pair between the centres of regions; *LINKS is null where there is no need
+ * of lines. */
+static il_status draw_links(il_svg_page *page, const il_svg_view *v, const il_figure *f, il_skeleton *s,
+                            const il_skeleton **links, il_error *err)
+{
+    il_status st = il_skeleton_find(s, f, err);
+    *links = st == IL_OK && il_picture_links(page, v, s) > 0 ? s : NULL;
+    return st;
+}
+
+static void tell_links(il_svg_page *page, const il_figure *f, const il_pair *pair)
+{
+    il_label l = IL_LABEL_INIT;
+    il_picture_tell_links(&l, pair, f->level[1].slice.z - f->level[0].slice.z, f->head.unit);
+    il_picture_paragraph(page, IL_PAGE_INNER, l.text);
 }
 
 il_status il_picture_draw_pair(il_svg_page *page, const il_figure *f, il_error *err)
@@ -244,6 +270,8 @@ il_status il_picture_draw_pair(il_svg_page *page, const il_figure *f, il_error *
     il_arcs arcs = IL_ARCS_INIT;
     il_match_facts facts = { 0 };
     il_grid_facts grid = { 0, 0, 0, 0 };
+    il_skeleton skeleton = IL_SKELETON_INIT;
+    const il_skeleton *links = NULL;
     page->tolerance = 0.1;
     describe(&words, f);
     il_picture_heading(page, f, words.text);
@@ -254,18 +282,22 @@ il_status il_picture_draw_pair(il_svg_page *page, const il_figure *f, il_error *
     il_svg_view v = il_view_centred(&l.a, &l.window, l.scale);
     draw_panel(page, &l.a, deformed ? "(a)  the slices as they lie" : "The slices as they lie");
     st = il_picture_match(page, &v, &arcs, &il_match_large, &facts, err);
+    if (st == IL_OK)
+        st = draw_links(page, &v, f, &skeleton, &links, err);
     if (st == IL_OK && deformed)
         st = draw_deformed(page, &l, &arcs, &grid, err);
     page->y = l.bottom + 20;
     if (!il_box_is_empty(&l.window))
         il_picture_scale_bar(page, IL_PAGE_MARGIN, page->y, 160, l.scale, f->head.unit);
     page->y += 18;
-    draw_legend(page, pair, &facts, &grid, deformed);
+    draw_legend(page, pair, &facts, &grid, links);
     page->y += 4;
     if (pair->n_phi + pair->n_matches + pair->n_unmatched > 0)
         tell_matches(page, pair, &facts);
+    tell_links(page, f, pair);
     tell_grids(page, &grid);
     il_picture_fit_table(page, pair, f->head.unit);
+    il_skeleton_free(&skeleton);
     il_arcs_free(&arcs);
     return st == IL_OK ? il_output_status(page->body, err) : st;
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+const char *const il_part_color[IL_N_PART_COLORS] = { "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9" };
+
 /* ---- boxes and views ----------------------------------------------------- */
 
 il_box il_box_empty(void)
@@ -228,4 +230,13 @@ void il_picture_legend(il_svg_page *page, const il_legend_entry *entry, size_t n
         column += columns;
     }
     page->y += ENTRY_HEIGHT;
+}
+
+il_label *il_legend_add(il_legend *l, const char *attributes, il_swatch swatch)
+{
+    size_t k = l->n++;
+    l->attributes[k].n = l->words[k].n = 0;
+    il_label_words(&l->attributes[k], attributes);
+    l->entry[k] = (il_legend_entry){ l->attributes[k].text, l->words[k].text, swatch };
+    return &l->words[k];
 }

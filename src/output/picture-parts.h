@@ -20,6 +20,10 @@
 #define IL_LINK_COLOR "#8a8a8a"
 #define IL_GRID_COLOR "#b4b4b4"
 
+/* Parts that are told apart, more than five by turns: none is the red of what stands out. */
+enum { IL_N_PART_COLORS = 5 };
+extern const char *const il_part_color[IL_N_PART_COLORS];
+
 enum { IL_PAGE_WIDTH = 900, IL_PAGE_MARGIN = 30, IL_PAGE_INNER = IL_PAGE_WIDTH - 2 * IL_PAGE_MARGIN };
 
 /* A slice, and what is known between the one before and it. */
@@ -89,6 +93,17 @@ typedef struct il_legend_entry {
 } il_legend_entry;
 /* The entries in columns from page->y on, which moves. */
 void il_picture_legend(il_svg_page *page, const il_legend_entry *entry, size_t n);
+
+/* A legend whose words and attributes are made up as it grows: it holds them itself, and
+ * so must not be copied. */
+enum { IL_LEGEND_MOST = 28 };
+typedef struct il_legend {
+    il_legend_entry entry[IL_LEGEND_MOST];
+    il_label attributes[IL_LEGEND_MOST], words[IL_LEGEND_MOST];
+    size_t n;
+} il_legend;
+/* Append an entry, of which there are not IL_LEGEND_MOST yet: where its words go. */
+il_label *il_legend_add(il_legend *l, const char *attributes, il_swatch swatch);
 
 /* All rings of S as one path with attributes FILL and STROKE; open lines, which
  * bound nothing, without FILL. */

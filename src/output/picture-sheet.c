@@ -121,38 +121,32 @@ static void largest_window(const il_figure *f, double side[2])
         side[0] = side[1] = 1;
 }
 
-static void look_for(const il_figure *f, bool *matched, bool *inserted)
+static il_match_drawn look_for(const il_figure *f)
 {
-    *matched = *inserted = false;
+    il_match_drawn d = { false, false, false, { 0, 0, 0 } };
     for (size_t k = 1; k < f->n; k++) {
-        *matched = *matched || f->level[k].below.n_matches > 0;
-        *inserted = *inserted || f->level[k].below.n_insertions > 0;
+        const il_pair *p = &f->level[k].below;
+        d.matched = d.matched || p->n_matches > 0;
+        d.inserted = d.inserted || p->n_insertions > 0;
+        d.cut = d.cut || p->n_cuts > 0;
+        for (size_t i = 0; i < p->n_unmatched; i++)
+            d.unmatched[p->unmatched[i].event]++;
     }
-}
-
-static void count_unmatched(const il_figure *f, size_t unmatched[3])
-{
-    for (size_t k = 1; k < f->n; k++)
-        for (size_t i = 0; i < f->level[k].below.n_unmatched; i++)
-            unmatched[f->level[k].below.unmatched[i].event]++;
+    return d;
 }
 
 il_status il_picture_draw_pairs(il_svg_page *page, const il_figure *f, il_error *err)
 {
-    size_t unmatched[3] = { 0, 0, 0 };
     double side[2];
     il_label words = IL_LABEL_INIT;
     il_legend_entry entry[IL_MATCH_ENTRIES];
-    bool matched, inserted;
-    look_for(f, &matched, &inserted);
+    const il_match_drawn drawn = look_for(f);
     describe(&words, f);
     il_picture_heading(page, f, words.text);
     largest_window(f, side);
     page->y += 8;
     page->tolerance = 0.15;
-    count_unmatched(f, unmatched);
-    size_t n = il_picture_match_legend(entry, matched, inserted, unmatched);
-    il_picture_legend(page, entry, n);
+    il_picture_legend(page, entry, il_picture_match_legend(entry, &drawn));
     il_tiles tiles = il_tiles_arrange(f->n - 1, side[0], side[1], 2, widest_caption(f));
     il_picture_scale_bar(page, IL_PAGE_MARGIN, page->y + 14, 120, tiles.scale, f->head.unit);
     page->y += 32;

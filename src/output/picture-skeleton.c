@@ -3,25 +3,19 @@
 #include "config.h"
 #include "base/alloc.h"
 #include "output/oblique.h"
-#include "output/skeleton.h"
+#include "output/picture-bonds.h"
 
 #include <math.h>
 
 /* ---- colours -------------------------------------------------------------- */
 
 /* Pieces by falling volume; those behind the first five share the last colour. */
-enum { COLORS = 6, REST = COLORS - 1 };
-static const char *const piece_color[COLORS] = { "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#7a7a7a" };
-#define GUESS_COLOR "#d00000"
+enum { REST = IL_N_PART_COLORS, COLORS = REST + 1 };
 
-static const struct { const char *dashes, *words; } bonds[IL_N_BONDS] = {
-    [IL_BOND_OVERLAP] = { "", "overlap: " },
-    [IL_BOND_NEAR] = { " stroke-dasharray=\"6 2\"", "close to each other: " },
-    [IL_BOND_JOIN] = { " stroke-dasharray=\"4 3\"", "joined over a gap: " },
-    [IL_BOND_GUESS] = { " stroke-dasharray=\"4 3\"", "guessed, gap > height: " },
-    [IL_BOND_GIVEN] = { " stroke-dasharray=\"7 2.5 1.5 2.5\"", "given by the user: " },
-    [IL_BOND_GROUP] = { " stroke-dasharray=\"1 3\"", "in one group: " },
-};
+static const char *name_color(int color)
+{
+    return color < REST ? il_part_color[color] : "#7a7a7a";
+}
 
 static int color_of(uint32_t piece)
 {
@@ -76,9 +70,9 @@ static bool draw_rings(scene *c, size_t k, int color)
     const il_slice *s = &c->f->level[k].slice;
     il_label l = IL_LABEL_INIT;
     il_label_words(&l, "fill=\"");
-    il_label_words(&l, piece_color[color]);
+    il_label_words(&l, name_color(color));
     il_label_words(&l, "\" stroke=\"");
-    il_label_words(&l, piece_color[color]);
+    il_label_words(&l, name_color(color));
     il_label_words(&l, "\"");
     il_svg_path_begin(c->page, l.text);
     for (size_t i = 0; i < s->n; i++) {
@@ -132,15 +126,9 @@ static void draw_path(scene *c, int bond, int color, const char *attributes)
     il_svg_path_end(c->page);
 }
 
-static il_label bone_attributes(const scene *c, int bond, const char *color)
+static double width_of(const scene *c)
 {
-    il_label l = IL_LABEL_INIT;
-    il_label_words(&l, "stroke=\"");
-    il_label_words(&l, bond == IL_BOND_GUESS ? GUESS_COLOR : color);
-    il_label_words(&l, "\" stroke-linecap=\"butt\"");
-    put_width(&l, bond == IL_BOND_GUESS ? 2.2 * c->fine : 2 * c->fine);
-    il_label_words(&l, bonds[bond].dashes);
-    return l;
+    return 2 * c->fine;
 }
 
 static void draw_bones(scene *c)
@@ -152,7 +140,7 @@ static void draw_bones(scene *c)
     draw_path(c, -1, -1, l.text);
     for (int bond = 0; bond < IL_N_BONDS; bond++) {
         for (int color = 0; color < COLORS && c->s.bonds[bond] > 0; color++) {
-            l = bone_attributes(c, bond, piece_color[color]);
+            l = il_bond_attributes((il_bond)bond, name_color(color), width_of(c));
             draw_path(c, bond, color, l.text);
         }
     }
@@ -279,63 +267,36 @@ static void describe_rest(il_label *l, const scene *c)
     il_label_counted(l, n, "region");
 }
 
-enum { ENTRIES = COLORS + IL_N_BONDS + 2 };
-
-typedef struct legend {
-    il_legend_entry entry[ENTRIES];
-    il_label attributes[ENTRIES], words[ENTRIES];
-    size_t n;
-} legend;
-
-static il_label *add_entry(legend *l, il_swatch swatch)
+static void add_pieces(il_legend *l, const scene *c)
 {
-    size_t k = l->n++;
-    l->entry[k] = (il_legend_entry){ l->attributes[k].text, l->words[k].text, swatch };
-    return &l->words[k];
-}
-
-static void add_pieces(legend *l, const scene *c)
-{
-    for (size_t k = 0; k < c->s.n_pieces && k < COLORS; k++) {
-        il_label *a = &l->attributes[l->n], *words = add_entry(l, IL_SWATCH_BOX);
-        for (int part = 0; part < 2; part++) {
-            il_label_words(a, part == 0 ? "fill-opacity=\".3\" fill=\"" : "\" stroke=\"");
-            il_label_words(a, piece_color[k]);
-        }
-        il_label_words(a, "\"");
+    for (int k = 0; k < COLORS && (size_t)k < c->s.n_pieces; k++) {
+        il_label a = IL_LABEL_INIT;
+        il_label_words(&a, "fill-opacity=\".3\" fill=\"");
+        il_label_words(&a, name_color(k));
+        il_label_words(&a, "\" stroke=\"");
+        il_label_words(&a, name_color(k));
+        il_label_words(&a, "\"");
+        il_label *words = il_legend_add(l, a.text, IL_SWATCH_BOX);
         if (k < REST)
-            describe_piece(words, c, k);
+            describe_piece(words, c, (size_t)k);
         else
             describe_rest(words, c);
     }
 }
 
-static void add_bonds(legend *l, const scene *c)
-{
-    for (int k = 0; k < IL_N_BONDS; k++) {
-        if (c->s.bonds[k] == 0)
-            continue;
-        l->attributes[l->n] = bone_attributes(c, k, IL_INK);
-        il_label *words = add_entry(l, IL_SWATCH_LINE);
-        il_label_words(words, bonds[k].words);
-        il_label_counted(words, c->s.bonds[k], "link");
-    }
-}
-
-static void add_mark(legend *l, const char *attributes, const char *words, size_t count)
+static void add_mark(il_legend *l, const char *attributes, const char *words, size_t count)
 {
     if (count == 0)
         return;
-    il_label_words(&l->attributes[l->n], attributes);
-    il_label *to = add_entry(l, IL_SWATCH_DOT);
+    il_label *to = il_legend_add(l, attributes, IL_SWATCH_DOT);
     il_label_words(to, words);
     il_label_count(to, count);
 }
 
 static void draw_legend(const scene *c)
 {
-    legend l = { .n = 0 };
-    add_bonds(&l, c);
+    il_legend l = { .n = 0 };
+    il_legend_add_bonds(&l, &c->s, width_of(c));
     add_mark(&l, branch_mark, "branching places: ", c->s.branches);
     add_mark(&l, end_mark, "ends inside the stack: ", c->s.ends);
     add_pieces(&l, c);

@@ -228,7 +228,7 @@ static void assert_linked(const il_slice *lower, const il_slice *upper)
             if (meet)
                 join(&wanted, i, n_lower + j);
             assert_true((link != NULL) == meet);
-            assert_true(!link || (link->reason == IL_LINK_OVERLAP && link->reach == 0));
+            assert_true(!link || ((link->reason == IL_LINK_OVERLAP || link->reason == IL_LINK_SLANT) && link->reach == 0));
         }
     take_sets(&got, &p, lower, upper);
     assert_memory_equal(got.of, wanted.of, wanted.n * sizeof *wanted.of);
@@ -296,13 +296,12 @@ static void rings_are_grouped_with_what_they_overlap(void **state)
 /* "0 0 overlap, 1 0 opening 0.5": the links of P; TO[500]. */
 static char *links_text(const il_pair *p, char *to)
 {
-    static const char *const name[] = { "overlap", "near", "join", "opening" };
     size_t n = 0;
     *to = '\0';
     for (size_t i = 0; i < p->n_groups; i++)
         for (size_t k = 0; k < p->group[i].n_links; k++) {
             const il_link *l = &p->group[i].link[k];
-            n += (size_t)snprintf(to + n, 500 - n, "%s%u %u %s", n > 0 ? ", " : "", l->lower, l->upper, name[l->reason]);
+            n += (size_t)snprintf(to + n, 500 - n, "%s%u %u %s", n > 0 ? ", " : "", l->lower, l->upper, il_link_reason_word(l->reason));
             if (l->reach > 0)
                 n += (size_t)snprintf(to + n, 500 - n, " %.6g", l->reach);
         }

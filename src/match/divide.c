@@ -522,24 +522,29 @@ static double length_of(const il_piece *p)
     return sum;
 }
 
-/* What all fits say together, weighed by length of contour; the global step is a shift. */
-static void sum_up(const division *d, il_fit *fit)
+/* What the links' phis say together, weighed by length of contour: the global step is the shift
+ * on average.  Of a single one that is a deformation, that itself. */
+static void sum_up(division *d, il_fit *fit)
 {
     double whole = 0, squares = 0, shift[2] = { 0, 0 };
+    if (d->n_joints == 1 && !d->joint[0].wrapped) {
+        *fit = d->joint[0].fit;
+        d->joint[0].fit = (il_fit){ 0 };
+        return;
+    }
     *fit = (il_fit){ .global = { 1, 0, 0, 1, 0, 0 }, .least_jacobian = INFINITY };
     for (size_t i = 0; i < d->n_joints; i++) {
         const joint *j = &d->joint[i];
-        const il_piece *p = piece_of(d, j, 1);
-        double length = length_of(p), centre[2], to[2];
-        centre_of(p, centre);
-        memcpy(to, centre, sizeof to);
-        il_fit_apply(&j->fit, to, 1);
+        const il_piece *from = piece_of(d, j, 1), *to = piece_of(d, j, 0);
+        double length = length_of(from), centre[2][2];
+        double distortion = j->wrapped ? il_wrap_distortion(&j->wrap) : j->fit.distortion;
+        centre_of(to, centre[0]);
+        centre_of(from, centre[1]);
         whole += length;
         for (size_t c = 0; c < 2; c++)
-            shift[c] += length * (to[c] - centre[c]);
-        squares += length * j->fit.distortion * j->fit.distortion;
-        fit->least_jacobian = fmin(fit->least_jacobian, j->fit.least_jacobian);
-        fit->steps += j->fit.steps;
+            shift[c] += length * (centre[0][c] - centre[1][c]);
+        squares += length * distortion * distortion;
+        fit->least_jacobian = fmin(fit->least_jacobian, j->wrapped ? 1 : j->fit.least_jacobian);
     }
     fit->global[4] = shift[0] / whole;
     fit->global[5] = shift[1] / whole;

@@ -88,19 +88,26 @@ static double within_bound(double v)
     return fmin(fmax(v, -most), most);
 }
 
+void il_frame_scale_found(const il_frame *f, il_fit *fit)
+{
+    double box[4], *residual[4] = { &fit->residual_up_mean, &fit->residual_up_max,
+                                    &fit->residual_down_mean, &fit->residual_down_max };
+    box_of(f, box);
+    for (int k = 0; k < 4; k++) {
+        *residual[k] = within_bound(*residual[k] * f->cell);
+        fit->box[k] = within_bound(box[k]);
+    }
+}
+
 void il_frame_scale_fit(const il_frame *f, il_fit *fit)
 {
     double box[4], *g = fit->global;
     box_of(f, box);
     double x0 = box[0], y0 = box[1];
-    double *residual[4] = { &fit->residual_up_mean, &fit->residual_up_max, &fit->residual_down_mean, &fit->residual_down_max };
-    for (int k = 0; k < 4; k++)
-        *residual[k] = within_bound(*residual[k] * f->cell);
+    il_frame_scale_found(f, fit);
     /* p -> o + cell (A (p - o) / cell + b) */
     g[4] = x0 - (g[0] * x0 + g[1] * y0) + f->cell * g[4];
     g[5] = y0 - (g[2] * x0 + g[3] * y0) + f->cell * g[5];
-    for (int k = 0; k < 4; k++)
-        fit->box[k] = within_bound(box[k]);
     for (size_t k = 0; k < fit->n_lattices; k++) {
         il_lattice *l = &fit->lattice[k];
         l->x = x0 + f->cell * l->x;

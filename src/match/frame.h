@@ -34,6 +34,9 @@ bool il_frame_is_far(const il_frame *f);
 il_status il_frame_outline(const il_frame *f, const il_slice *s, const uint32_t *ring, size_t n_rings,
                            double **xy, uint32_t **next, size_t *n, il_error *err);
 
+/* The residuals of a fit that is in the stack's unit otherwise, and its box: the frame's. */
+void il_frame_scale_found(const il_frame *f, il_fit *fit);
+
 /* A fit in cells becomes one in the stack's unit, with the frame as its box; box and
  * residuals stop short of the bound of coordinates. */
 void il_frame_scale_fit(const il_frame *f, il_fit *fit);

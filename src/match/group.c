@@ -23,7 +23,8 @@ typedef struct group_match {
     uint32_t *next[2];
     size_t n[2];
     double spacing;            /* of the points of courses */
-    il_fit fit;                /* in cells */
+    bool divided;
+    il_fit fit;                /* in cells; of a divided group in the stack's unit but for residuals */
     il_course course[2];
     il_rows rows;              /* the image of one ring, cells */
     il_correspondence found;
@@ -197,7 +198,10 @@ static il_status match_as_they_lie(group_match *m, il_error *err)
 static void record_fit(group_match *m, bool keep_lattices)
 {
     il_group *g = m->group;
-    il_frame_scale_fit(&m->frame, &m->fit);
+    if (m->divided)
+        il_frame_scale_found(&m->frame, &m->fit);
+    else
+        il_frame_scale_fit(&m->frame, &m->fit);
     g->fit = m->fit;
     g->fitted = true;
     m->fit = (il_fit){ 0 };
@@ -255,18 +259,18 @@ static il_status take_images(group_match *m, il_error *err)
     return st;
 }
 
-/* A phi for each link; *DONE unless the group cannot be divided. */
-static il_status match_divided(group_match *m, bool *done, il_error *err)
+/* A phi for each link; m->divided unless the group cannot be divided. */
+static il_status match_divided(group_match *m, il_error *err)
 {
     const il_group *g = m->group;
-    il_status st = il_group_divide(m->pair, g, m->slice, m->work->outer, m->solver, m->work->image, &m->fit, done, err);
-    if (st != IL_OK || !*done)
+    il_frame about = il_frame_about(g, m->slice[0], m->slice[1]);
+    if (il_frame_is_far(&about))
+        return IL_OK;
+    il_status st = il_group_divide(m->pair, g, m->slice, m->work->outer, m->solver, m->work->image, &m->fit,
+                                   &m->divided, err);
+    if (st != IL_OK || !m->divided)
         return st;
     m->frame = frame_over_images(m);
-    m->fit.global[4] /= m->frame.cell;
-    m->fit.global[5] /= m->frame.cell;
-    m->fit.box[2] = m->frame.cells_x;
-    m->fit.box[3] = m->frame.cells_y;
     for (int k = 0; st == IL_OK && k < 2; k++)
         st = il_frame_outline(&m->frame, m->slice[k], k == 0 ? g->lower : g->upper, k == 0 ? g->n_lower : g->n_upper,
                               &m->xy[k], &m->next[k], &m->n[k], err);
@@ -281,9 +285,8 @@ static il_status match_divided(group_match *m, bool *done, il_error *err)
 il_status il_group_match(const il_group_work *w, il_group *g, il_error *err)
 {
     group_match m = { .work = w, .pair = w->pair, .group = g, .slice = { w->slice[0], w->slice[1] }, .solver = w->solver };
-    bool divided = false;
-    il_status st = w->outer[0] && il_group_lies_apart(g) ? match_divided(&m, &divided, err) : IL_OK;
-    if (st == IL_OK && !divided)
+    il_status st = w->outer[0] && il_group_lies_apart(g) ? match_divided(&m, err) : IL_OK;
+    if (st == IL_OK && !m.divided)
         st = match_whole(&m, err);
     if (st == IL_OK)
         st = lay(&m, 0, &m.course[0], err);

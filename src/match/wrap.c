@@ -200,6 +200,16 @@ il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, bo
     return *simple ? walk_together(w, u, l, err) : IL_OK;
 }
 
+double il_wrap_distortion(const il_wrap *w)
+{
+    double sum = 0;
+    for (int i = 0; i < STEPS; i++) {
+        double stretch = log(w->at[i + 1] - w->at[i]);
+        sum += stretch * stretch;
+    }
+    return sqrt(sum / STEPS);
+}
+
 void il_wrap_apply(const il_wrap *w, double p[2])
 {
     double step = nearest_step(&w->from, p);

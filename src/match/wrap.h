@@ -29,6 +29,9 @@ typedef struct il_wrap {
 il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, bool *simple, il_error *err);
 void il_wrap_free(il_wrap *w);
 
+/* How unevenly it stretches: the root mean square of the log of the stretch over its mean. */
+double il_wrap_distortion(const il_wrap *w);
+
 /* Take P, on FROM's outline or near it, to TO's. */
 void il_wrap_apply(const il_wrap *w, double p[2]);
 

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* So many points of the grid across a region as broad as long. */
 static const double ACROSS = 20;
@@ -324,11 +325,20 @@ static il_status settle_weights(il_dissection *d, const double *share, il_error 
     return IL_OK;
 }
 
+/* As they stand in a row, each ends where it goes back. */
+static size_t count_rings(const il_outline *o)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < o->n; i++)
+        n += o->next[i] <= i;
+    return n;
+}
+
 il_status il_dissection_begin(il_dissection *d, const il_outline *region, const double *site, const double *share, size_t n,
                               bool *sound, il_error *err)
 {
     double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
-    *d = (il_dissection){ .n = n };
+    *d = (il_dissection){ .n = n, .rings = count_rings(region) };
     extend(box, region->xy, region->n);
     d->frame = il_frame_over(box);
     d->site = in_cells(&d->frame, site, n);
@@ -451,12 +461,59 @@ static il_status march_all(il_dissection *d, bool outline, il_piece *out, il_err
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
+/* Label the rings of P by their first points: of[n].  The area about the greatest. */
+static uint32_t greatest_ring(const il_piece *p, uint32_t *of)
+{
+    double most = -INFINITY;
+    uint32_t best = 0;
+    for (size_t i = 0; i < p->n; i++)
+        of[i] = UINT32_MAX;
+    for (uint32_t i = 0; i < p->n; i++) {
+        double area = 0;
+        if (of[i] != UINT32_MAX)
+            continue;
+        for (uint32_t k = i; of[k] == UINT32_MAX; k = p->next[k]) {
+            const double *a = p->xy + 2 * (size_t)k, *b = p->xy + 2 * (size_t)p->next[k], *o = p->xy;
+            area += (a[0] - o[0]) * (b[1] - o[1]) - (b[0] - o[0]) * (a[1] - o[1]);
+            of[k] = i;
+        }
+        if (area > most) {
+            most = area;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* All rings but the greatest are dropped. */
+static bool drop_crumbs(il_piece *p)
+{
+    uint32_t *of = il_alloc(p->n, 2 * sizeof *of), *number = of + p->n;
+    if (!of)
+        return false;
+    uint32_t best = p->n > 0 ? greatest_ring(p, of) : 0;
+    size_t n = 0;
+    for (size_t i = 0; i < p->n; i++)
+        number[i] = of[i] == best ? (uint32_t)n++ : UINT32_MAX;
+    p->crumbs = n < p->n;
+    for (size_t i = 0; i < p->n; i++) {
+        if (number[i] == UINT32_MAX)
+            continue;
+        memmove(p->xy + 2 * number[i], p->xy + 2 * i, 2 * sizeof *p->xy);
+        p->next[number[i]] = number[p->next[i]];
+    }
+    p->n = n;
+    il_free(of);
+    return true;
+}
+
 il_status il_dissection_piece(il_dissection *d, size_t i, double seam, il_piece *out, il_error *err)
 {
     *out = (il_piece){ 0 };
     for (size_t p = 0; p < d->n_points; p++)
         d->side[p] = side_at(d, i, d->xy + 2 * p, NULL) - seam;
-    return march_all(d, true, out, err);
+    il_status st = march_all(d, true, out, err);
+    return st == IL_OK && d->rings == 1 && !drop_crumbs(out) ? il_fail_nomem(err) : st;
 }
 
 il_status il_dissection_cuts(il_dissection *d, size_t i, il_piece *out, il_error *err)
@@ -472,4 +529,25 @@ il_status il_dissection_cuts(il_dissection *d, size_t i, il_piece *out, il_error
             out->next[k] = UINT32_MAX;
     }
     return st;
+}
+
+bool il_dissection_meet(il_dissection *d, size_t i, size_t k, double middle[2], il_error *err)
+{
+    il_piece line = { 0 };
+    size_t n = 0;
+    middle[0] = middle[1] = 0;
+    il_status st = il_dissection_cuts(d, i < k ? i : k, &line, err);
+    for (size_t p = 0; st == IL_OK && p < line.n; p++) {
+        size_t rival = i;
+        il_dissection_side(d, i < k ? i : k, line.xy + 2 * p, &rival);
+        if (rival != (i < k ? k : i))
+            continue;
+        middle[0] += line.xy[2 * p];
+        middle[1] += line.xy[2 * p + 1];
+        n++;
+    }
+    il_piece_free(&line);
+    for (size_t c = 0; c < 2 && n > 0; c++)
+        middle[c] /= (double)n;
+    return n > 0;
 }

@@ -11,8 +11,9 @@
 
 #include "match/frame.h"
 
-/* Rings as il_outline has them, owned. */
+/* Rings as il_outline has them, owned.  crumbs: others were left out. */
 typedef struct il_piece {
+    bool crumbs;
     double *xy;              size_t n, cap;
     uint32_t *next;          size_t cap_next;
 } il_piece;
@@ -25,6 +26,7 @@ il_outline il_piece_outline(const il_piece *p);
 typedef struct il_dissection {
     il_frame frame;
     double *site, *weight;   size_t n;
+    size_t rings;            /* of the region */
     double *xy;              size_t n_points, cap_points;
     uint32_t *corner, *across; size_t n_triangles;
     bool *inside;            /* [n_triangles] */
@@ -42,13 +44,18 @@ void il_dissection_free(il_dissection *d);
  * *RIVAL (or null): the piece beyond that cut. */
 double il_dissection_side(const il_dissection *d, size_t i, const double p[2], size_t *rival);
 
-/* Piece I in the region's unit, without a strip of SEAM cells along the cuts; empty
- * when nothing is left.  IL_E_NOMEM. */
+/* Piece I in the region's unit, without a strip of SEAM cells along the cuts; empty when
+ * nothing is left.  Of several parts, where the cut goes in and out of the region, the one about
+ * the most.  IL_E_NOMEM. */
 il_status il_dissection_piece(il_dissection *d, size_t i, double seam, il_piece *out, il_error *err);
 
 /* The cuts between piece I and those behind it, unit; next[k] is UINT32_MAX where a line ends.
  * IL_E_NOMEM. */
 il_status il_dissection_cuts(il_dissection *d, size_t i, il_piece *out, il_error *err);
+
+/* The middle of the cut between pieces I and K, unit; false where they do not meet, and without
+ * memory, when *ERR says so. */
+bool il_dissection_meet(il_dissection *d, size_t i, size_t k, double middle[2], il_error *err);
 
 /* Half the region's breadth or so, in cells: for how wide a seam should be. */
 double il_dissection_breadth(const il_dissection *d);

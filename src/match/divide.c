@@ -1,6 +1,7 @@
 #include "config.h"
 #include "match/divide.h"
 #include "base/alloc.h"
+#include "bridge/predicates.h"
 #include "match/dissect.h"
 #include "match/wrap.h"
 #include "model/lattice.h"
@@ -15,6 +16,9 @@ enum { SEAMS = 4 };
 
 /* Edges are looked at every so many cells to see whose piece they are in. */
 static const double LOOK = 2;
+
+/* A point of the ring is on its piece when it is as near as this, in cells. */
+static const double NEAR = 0.05;
 
 /* An outer ring of the group with its holes, and the links that it has: link[n_links]. */
 struct region {
@@ -247,13 +251,33 @@ static bool in_cells(const il_frame *f, const il_piece *p, il_piece *out)
     return ok;
 }
 
-/* Residuals in cells, distortion and least Jacobian beyond which a deformation is no good guide. */
-static const double FITS = 1, DISTORTION_MOST = 0.5, JACOBIAN_LEAST = 0.1;
+/* Residuals in cells, distortion, least Jacobian, and length of the image over that of where it
+ * lies, beyond which a deformation is no good guide: the last tells where it goes to and fro
+ * along the outline, which no residual sees. */
+static const double FITS = 1, DISTORTION_MOST = 0.5, JACOBIAN_LEAST = 0.1, LENGTH_MOST = 1.03;
 
-static bool fits(const il_fit *f)
+static double way_of(const il_piece *p, const il_fit *f)
+{
+    enum { PARTS = 4 };
+    double sum = 0;
+    for (size_t i = 0; i < p->n; i++) {
+        const double *a = p->xy + 2 * i, *b = p->xy + 2 * p->next[i];
+        double q[2 * (PARTS + 1)];
+        for (size_t k = 0; k <= PARTS; k++)
+            for (size_t c = 0; c < 2; c++)
+                q[2 * k + c] = a[c] + (double)k / PARTS * (b[c] - a[c]);
+        if (f)
+            il_fit_apply(f, q, PARTS + 1);
+        for (size_t k = 0; k < PARTS; k++)
+            sum += hypot(q[2 * k + 2] - q[2 * k], q[2 * k + 3] - q[2 * k + 1]);
+    }
+    return sum;
+}
+
+static bool fits(const il_fit *f, const il_piece *upper, const il_piece *lower)
 {
     return f->residual_up_max <= FITS && f->residual_down_max <= FITS && f->distortion <= DISTORTION_MOST &&
-           f->least_jacobian >= JACOBIAN_LEAST;
+           f->least_jacobian >= JACOBIAN_LEAST && way_of(upper, f) <= LENGTH_MOST * way_of(lower, NULL);
 }
 
 static void apply_wrap(const void *wrap, double p[2])
@@ -261,10 +285,59 @@ static void apply_wrap(const void *wrap, double p[2])
     il_wrap_apply(wrap, p);
 }
 
-static il_status wrap_joint(joint *j, const il_piece *upper, const il_piece *lower, il_error *err)
+/* The point of P that is nearest to the outline of Q. */
+static void nearest_to(const il_piece *p, const il_piece *q, double out[2])
 {
-    il_status st = il_wrap_begin(&j->wrap, upper, lower, &j->wrapped, err);
-    if (j->wrapped) {
+    double least = INFINITY;
+    for (size_t i = 0; i < p->n; i++)
+        for (size_t k = 0; k < q->n; k++) {
+            double away = hypot(p->xy[2 * i] - q->xy[2 * k], p->xy[2 * i + 1] - q->xy[2 * k + 1]);
+            if (away < least) {
+                least = away;
+                memcpy(out, p->xy + 2 * i, 2 * sizeof *out);
+            }
+        }
+}
+
+/* Where joint J's region on SIDE was cut, and where on the other side it faces what lies beyond:
+ * anchors of the one to the other, *N of them in TO, which has room. */
+static void add_anchors(const division *d, const joint *j, int side, il_anchor *to, size_t *n, il_error *err)
+{
+    struct region *r = &d->region[side][j->region[side]];
+    size_t own = 0;
+    while (&d->joint[r->link[own]] != j)
+        own++;
+    for (size_t k = 0; r->cut && k < r->n_links; k++) {
+        const joint *other = &d->joint[r->link[k]];
+        double *cut = side == 0 ? to[*n].to : to[*n].from, *faces = side == 0 ? to[*n].from : to[*n].to;
+        if (other == j || !il_dissection_meet(&r->cutting, own, k, cut, err))
+            continue;
+        nearest_to(piece_of(d, j, 1 - side), piece_of(d, other, 1 - side), faces);
+        ++*n;
+    }
+}
+
+static il_status find_anchors(const division *d, const joint *j, il_anchor **anchor, size_t *n, il_error *err)
+{
+    il_error none = IL_ERROR_INIT;
+    *n = 0;
+    *anchor = il_alloc(d->region[0][j->region[0]].n_links + d->region[1][j->region[1]].n_links, sizeof **anchor);
+    if (!*anchor)
+        return il_fail_nomem(err);
+    for (int side = 0; side < 2; side++)
+        add_anchors(d, j, side, *anchor, n, &none);
+    return none.code == IL_OK ? IL_OK : il_fail_nomem(err);
+}
+
+static il_status wrap_joint(const division *d, joint *j, const il_piece *upper, const il_piece *lower, il_error *err)
+{
+    il_anchor *anchor = NULL;
+    size_t n;
+    il_status st = find_anchors(d, j, &anchor, &n, err);
+    if (st == IL_OK)
+        st = il_wrap_begin(&j->wrap, upper, lower, anchor, n, &j->wrapped, err);
+    il_free(anchor);
+    if (st == IL_OK && j->wrapped) {
         j->bend.apply = apply_wrap;
         j->bend.context = &j->wrap;
     }
@@ -293,8 +366,8 @@ static il_status solve_joint(division *d, joint *j, il_error *err)
         st = il_ffd_solve(d->solver, &low, &high, frame.cells_x, frame.cells_y, false, &j->fit, err);
         j->bend = il_bend_of_fit(&j->fit, frame.cell, il_ffd_spacing(&low, &high));
     }
-    if (st == IL_OK && !fits(&j->fit))
-        st = wrap_joint(j, upper, lower, err);
+    if (st == IL_OK && !fits(&j->fit, &cells[1], &cells[0]))
+        st = wrap_joint(d, j, upper, lower, err);
     if (st == IL_OK) {
         double *g = j->fit.global;
         il_frame_scale_fit(&frame, &j->fit);
@@ -310,14 +383,15 @@ static il_status solve_joint(division *d, joint *j, il_error *err)
 
 /* ---- images --------------------------------------------------------------------------- */
 
-/* A ring of an upper region: its points are looked at in order.  own: the link in whose piece
- * the last one was, or UINT32_MAX on a seam. */
+#define LOOSE UINT32_MAX
+
+/* A ring of an upper region: its points are looked at in order. */
 typedef struct walk {
     division *d;
     struct region *region;
     const il_ring *ring;
     il_rows *rows;
-    bool *loose;             size_t cap_loose; /* of rows: on a seam, not mapped yet */
+    uint32_t *own;           size_t cap_own;   /* of rows: the link that maps them, LOOSE on a seam */
 } walk;
 
 static void point_on(const walk *w, size_t k, double t, double out[2])
@@ -327,15 +401,32 @@ static void point_on(const walk *w, size_t k, double t, double out[2])
         out[c] = a[c] + t * (b[c] - a[c]);
 }
 
+/* Is Q on the outline of P, within NEAR? */
+static bool is_on(const il_piece *p, const double q[2], double near)
+{
+    for (size_t i = 0; i < p->n; i++) {
+        const double *a = p->xy + 2 * i, *b = p->xy + 2 * p->next[i];
+        double dx = b[0] - a[0], dy = b[1] - a[1], l2 = dx * dx + dy * dy;
+        double t = l2 > 0 ? fmin(fmax(((q[0] - a[0]) * dx + (q[1] - a[1]) * dy) / l2, 0), 1) : 0;
+        if (hypot(a[0] + t * dx - q[0], a[1] + t * dy - q[1]) <= near)
+            return true;
+    }
+    return false;
+}
+
 /* The link, by its number in the region, in whose piece edge K at T is, or UINT32_MAX. */
 static uint32_t owner(const walk *w, size_t k, double t)
 {
     double p[2];
     point_on(w, k, t, p);
-    for (uint32_t i = 0; i < w->region->n_links; i++)
-        if (!w->region->cut || il_dissection_side(&w->region->cutting, i, p, NULL) > w->region->seam)
+    for (uint32_t i = 0; i < w->region->n_links; i++) {
+        if (!w->region->cut)
             return i;
-    return UINT32_MAX;
+        const il_piece *piece = &w->d->joint[w->region->link[i]].piece[1];
+        if (il_dissection_side(&w->region->cutting, i, p, NULL) > w->region->seam)
+            return !piece->crumbs || is_on(piece, p, NEAR * w->region->cutting.frame.cell) ? i : LOOSE;
+    }
+    return LOOSE;
 }
 
 /* Between T0, where OWN owns, and T1, where it does not (or the other way round): how far it
@@ -357,9 +448,9 @@ static bool add_loose(walk *w, size_t k)
     double p[2];
     point_on(w, k, 0, p);
     size_t n = w->rows->n;
-    if (!il_rows_add(w->rows, (uint32_t)k, 0, p) || !il_grow(&w->loose, &w->cap_loose, w->rows->n, sizeof *w->loose))
+    if (!il_rows_add(w->rows, (uint32_t)k, 0, p) || !il_grow(&w->own, &w->cap_own, w->rows->n, sizeof *w->own))
         return false;
-    w->loose[n] = true;
+    w->own[n] = LOOSE;
     return true;
 }
 
@@ -381,10 +472,10 @@ static bool add_mapped(walk *w, size_t k, uint32_t i, double t0, double t1)
         if (!il_rows_add(w->rows, (uint32_t)k, t1, end))
             return false;
     }
-    if (!il_grow(&w->loose, &w->cap_loose, w->rows->n, sizeof *w->loose))
+    if (!il_grow(&w->own, &w->cap_own, w->rows->n, sizeof *w->own))
         return false;
     for (; from < w->rows->n; from++)
-        w->loose[from] = false;
+        w->own[from] = i;
     return true;
 }
 
@@ -427,7 +518,7 @@ static bool tie_loose(walk *w)
 {
     size_t n = w->rows->n, first = 0;
     il_course_row *row = w->rows->row;
-    while (first < n && w->loose[first])
+    while (first < n && w->own[first] == LOOSE)
         first++;
     if (first == n)
         return false;
@@ -439,7 +530,7 @@ static bool tie_loose(walk *w)
             whole += way(w, end, after);
             end = after;
             count++;
-        } while (w->loose[end]);
+        } while (w->own[end] == LOOSE);
         for (size_t k = 1, at = i; k < count; k++) {
             size_t after = (at + 1) % n;
             so_far += way(w, at, after);
@@ -454,6 +545,62 @@ static bool tie_loose(walk *w)
     return true;
 }
 
+static bool crosses(const il_course_row *a, const il_course_row *b, const il_course_row *c, const il_course_row *e)
+{
+    const double p[2] = { a->x, a->y }, q[2] = { b->x, b->y }, r[2] = { c->x, c->y }, s[2] = { e->x, e->y };
+    return il_orientation(p, q, r) * il_orientation(p, q, s) <= 0 && il_orientation(r, s, p) * il_orientation(r, s, q) <= 0;
+}
+
+/* The next mapped row after I, or before it. */
+static size_t mapped_from(const walk *w, size_t i, bool ahead)
+{
+    size_t n = w->rows->n;
+    do
+        i = ahead ? (i + 1) % n : (i + n - 1) % n;
+    while (w->own[i] == LOOSE);
+    return i;
+}
+
+/* The way over the seam from row I to row K: does it cross the image of I's piece on the other
+ * side of I (AHEAD: on which side that is)?  Then I is loose up to there. */
+static bool trim_end(walk *w, size_t i, size_t k, bool ahead)
+{
+    enum { LOOKS = 40 };
+    const il_course_row *row = w->rows->row;
+    size_t at = mapped_from(w, i, ahead);
+    for (int look = 0; look < LOOKS; look++) {
+        size_t after = mapped_from(w, at, ahead);
+        if (w->own[at] != w->own[i] || w->own[after] != w->own[i] || after == k || after == i)
+            return false;
+        if (crosses(&row[i], &row[k], &row[at], &row[after])) {
+            for (size_t r = i; r != after; r = mapped_from(w, r, ahead))
+                w->own[r] = LOOSE;
+            return true;
+        }
+        at = after;
+    }
+    return false;
+}
+
+/* The straight ways over seams must not run into the pieces that they join: where they do, the
+ * pieces end sooner. */
+static void trim_ends(walk *w)
+{
+    enum { ROUNDS = 8 };
+    size_t n = w->rows->n;
+    bool trimmed = true;
+    for (int round = 0; trimmed && round < ROUNDS; round++) {
+        trimmed = false;
+        for (size_t i = 0; i < n; i++) {
+            if (w->own[i] == LOOSE)
+                continue;
+            size_t k = mapped_from(w, i, true);
+            if (k != i && w->own[k] != w->own[i])
+                trimmed = trim_end(w, i, k, false) || trim_end(w, k, i, true) || trimmed;
+        }
+    }
+}
+
 static il_status map_ring(division *d, uint32_t ring, il_rows *rows, bool *sound, il_error *err)
 {
     struct region *r = &d->region[1][region_of(d, 1, ring)];
@@ -462,8 +609,10 @@ static il_status map_ring(division *d, uint32_t ring, il_rows *rows, bool *sound
     rows->n = 0;
     for (size_t k = 0; ok && k < w.ring->n; k++)
         ok = add_edge(&w, k);
+    if (ok && w.region->cut)
+        trim_ends(&w);
     *sound = ok && tie_loose(&w);
-    il_free(w.loose);
+    il_free(w.own);
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
@@ -514,14 +663,6 @@ static il_status record_cuts(division *d, il_pair *pair, il_error *err)
     return st;
 }
 
-static double length_of(const il_piece *p)
-{
-    double sum = 0;
-    for (size_t i = 0; i < p->n; i++)
-        sum += hypot(p->xy[2 * p->next[i]] - p->xy[2 * i], p->xy[2 * p->next[i] + 1] - p->xy[2 * i + 1]);
-    return sum;
-}
-
 /* What the links' phis say together, weighed by length of contour: the global step is the shift
  * on average.  Of a single one that is a deformation, that itself. */
 static void sum_up(division *d, il_fit *fit)
@@ -536,7 +677,7 @@ static void sum_up(division *d, il_fit *fit)
     for (size_t i = 0; i < d->n_joints; i++) {
         const joint *j = &d->joint[i];
         const il_piece *from = piece_of(d, j, 1), *to = piece_of(d, j, 0);
-        double length = length_of(from), centre[2][2];
+        double length = way_of(from, NULL), centre[2][2];
         double distortion = j->wrapped ? il_wrap_distortion(&j->wrap) : j->fit.distortion;
         centre_of(to, centre[0]);
         centre_of(from, centre[1]);

@@ -87,15 +87,34 @@ static double square(const double *p, const double *q)
     return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
 }
 
-/* By how many steps point i of U should run ahead of point i of L, for the least sum of squares. */
-static int best_lead(const double *u, const double *l)
+/* What is walked round: u[2*STEPS] in the plane of l[2*STEPS], and where u is pulled to:
+ * pull[i] is the step of an anchor's place of l, or below 0. */
+typedef struct pace {
+    double u[2 * STEPS], l[2 * STEPS], pull[STEPS];
+} pace;
+
+/* The pull of an anchor, in squares of distances of so many points. */
+static const double PULL = STEPS / 8;
+
+static double cost(const pace *p, int i, int j)
+{
+    i %= STEPS;
+    j %= STEPS;
+    double sum = square(p->u + 2 * i, p->l + 2 * j);
+    if (p->pull[i] >= 0)
+        sum += PULL * square(p->l + 2 * ((int)p->pull[i] % STEPS), p->l + 2 * j);
+    return sum;
+}
+
+/* By how many steps point i of u should run ahead of point i of l, for the least sum. */
+static int best_lead(const pace *p)
 {
     double least = INFINITY;
     int best = 0;
     for (int lead = 0; lead < STEPS; lead++) {
         double sum = 0;
         for (int i = 0; i < STEPS; i++)
-            sum += square(u + 2 * i, l + 2 * ((i + lead) % STEPS));
+            sum += cost(p, i, i + lead);
         if (sum < least) {
             least = sum;
             best = lead;
@@ -104,8 +123,8 @@ static int best_lead(const double *u, const double *l)
     return best;
 }
 
-/* The least sum of squares over the ways from (0, 0) to (STEPS, STEPS) by (1, 0), (0, 1) and
- * (1, 1) that keep within BAND of the straight one: cost[i][j - i + BAND]. */
+/* The least sum over the ways from (0, 0) to (STEPS, STEPS) by (1, 0), (0, 1) and (1, 1) that
+ * keep within BAND of the straight one: cost[i][j - i + BAND]. */
 typedef struct ways {
     double cost[STEPS + 1][2 * BAND + 1];
 } ways;
@@ -116,7 +135,7 @@ static double cost_at(const ways *w, int i, int j)
     return i < 0 || j < 0 || d < 0 || d > 2 * BAND ? INFINITY : w->cost[i][d];
 }
 
-static void fill(ways *w, const double *u, const double *l, int first, int lead)
+static void fill(ways *w, const pace *p, int first, int lead)
 {
     for (int i = 0; i <= STEPS; i++)
         for (int d = 0; d <= 2 * BAND; d++) {
@@ -124,7 +143,7 @@ static void fill(ways *w, const double *u, const double *l, int first, int lead)
             double before = fmin(fmin(cost_at(w, i - 1, j), d > 0 ? cost_at(w, i, j - 1) : INFINITY), cost_at(w, i - 1, j - 1));
             bool outside = j < 0 || j > STEPS;
             before = i == 0 && j == 0 ? 0 : before;
-            w->cost[i][d] = outside ? INFINITY : before + square(u + 2 * ((first + i) % STEPS), l + 2 * ((first + lead + j) % STEPS));
+            w->cost[i][d] = outside ? INFINITY : before + cost(p, first + i, first + lead + j);
         }
 }
 
@@ -149,24 +168,30 @@ static void trace(const ways *w, double mean[STEPS + 1])
         mean[i] = count[i] > 0 ? sum[i] / count[i] : i;
 }
 
-/* The point that fits best when all run with the same lead. */
-static int best_pair(const double *u, const double *l, int lead)
+/* The point to begin with: one that is anchored, or the one that fits best when all run with
+ * the same lead. */
+static int best_pair(const pace *p, int lead)
 {
     int best = 0;
     for (int i = 1; i < STEPS; i++)
-        if (square(u + 2 * i, l + 2 * ((i + lead) % STEPS)) < square(u + 2 * best, l + 2 * ((best + lead) % STEPS)))
+        if (p->pull[i] >= 0 ? p->pull[best] < 0 : p->pull[best] < 0 && cost(p, i, i + lead) < cost(p, best, best + lead))
             best = i;
     return best;
 }
 
-static il_status walk_together(il_wrap *w, const double *u, const double *l, il_error *err)
+static int lead_of(const pace *p, int i, int lead)
 {
-    int lead = best_lead(u, l), first = best_pair(u, l, lead);
+    return p->pull[i] < 0 ? lead : ((int)p->pull[i] - i + STEPS) % STEPS;
+}
+
+static il_status walk_together(il_wrap *w, const pace *p, il_error *err)
+{
+    int all = best_lead(p), first = best_pair(p, all), lead = lead_of(p, first, all);
     double mean[STEPS + 1];
     ways *table = il_alloc(1, sizeof *table);
     if (!table)
         return il_fail_nomem(err);
-    fill(table, u, l, first, lead);
+    fill(table, p, first, lead);
     trace(table, mean);
     il_free(table);
     for (int i = 0; i < STEPS; i++) {
@@ -177,11 +202,20 @@ static il_status walk_together(il_wrap *w, const double *u, const double *l, il_
     return IL_OK;
 }
 
-il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, bool *simple, il_error *err)
+static void set_pulls(pace *p, const il_wrap *w, const il_anchor *anchor, size_t n)
 {
-    double u[2 * STEPS], l[2 * STEPS];
+    for (int i = 0; i < STEPS; i++)
+        p->pull[i] = -1;
+    for (size_t k = 0; k < n; k++)
+        p->pull[(int)(nearest_step(&w->from, anchor[k].from) + 0.5) % STEPS] = floor(nearest_step(&w->to, anchor[k].to) + 0.5);
+}
+
+il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, const il_anchor *anchor, size_t n,
+                        bool *simple, il_error *err)
+{
     il_outline upper = il_piece_outline(from), lower = il_piece_outline(to);
     il_global g = IL_GLOBAL_IDENTITY;
+    pace p;
     *w = (il_wrap){ .from = { NULL, NULL, 0 } };
     *simple = true;
     il_status st = take_loop(&w->from, from, simple, err);
@@ -191,13 +225,14 @@ il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, bo
         return st;
     *simple = il_global_by_moments(&lower, &upper, &g);
     for (int i = 0; i < STEPS; i++) {
-        double p[2];
-        point_at(&w->from, i, p);
-        point_at(&w->to, i, l + 2 * i);
-        u[2 * i] = g.a[0] * p[0] + g.a[1] * p[1] + g.a[4];
-        u[2 * i + 1] = g.a[2] * p[0] + g.a[3] * p[1] + g.a[5];
+        double q[2];
+        point_at(&w->from, i, q);
+        point_at(&w->to, i, p.l + 2 * i);
+        p.u[2 * i] = g.a[0] * q[0] + g.a[1] * q[1] + g.a[4];
+        p.u[2 * i + 1] = g.a[2] * q[0] + g.a[3] * q[1] + g.a[5];
     }
-    return *simple ? walk_together(w, u, l, err) : IL_OK;
+    set_pulls(&p, w, anchor, n);
+    return *simple ? walk_together(w, &p, err) : IL_OK;
 }
 
 double il_wrap_distortion(const il_wrap *w)

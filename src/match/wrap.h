@@ -24,9 +24,13 @@ typedef struct il_wrap {
     double at[IL_WRAP_STEPS + 1];
 } il_wrap;
 
-/* Wrap FROM round TO, both counter-clockwise; copies are kept.  *SIMPLE is false when one of
- * them is not a single ring.  IL_E_NOMEM. */
-il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, bool *simple, il_error *err);
+/* A place of `from` that should go to a place of `to`, unit: where the piece meets the next one. */
+typedef struct il_anchor { double from[2], to[2]; } il_anchor;
+
+/* Wrap FROM round TO, both counter-clockwise; copies are kept; anchor[N] pull.  *SIMPLE is false when
+ * one of them is not a single ring.  IL_E_NOMEM. */
+il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, const il_anchor *anchor, size_t n,
+                        bool *simple, il_error *err);
 void il_wrap_free(il_wrap *w);
 
 /* How unevenly it stretches: the root mean square of the log of the stretch over its mean. */

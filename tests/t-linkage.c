@@ -16,7 +16,7 @@ static void add_square(il_slice *s, double x, double y, double side)
                 il_ring_add(r, x, y + side, 0));
 }
 
-static il_linkage linked(const il_slice *two, il_pieces pieces)
+static il_linkage linked(const il_slice *two, il_pieces_mode pieces)
 {
     const il_pair *known[2] = { NULL, NULL };
     il_linkage_options o = il_linkage_options_for(pieces);
@@ -55,7 +55,7 @@ static void many_rings_within_reach_are_linked_to_the_nearest(void **state)
     il_slice_free(&two[1]);
 }
 
-static size_t count_links(int n, double height, il_pieces pieces)
+static size_t count_links(int n, double height, il_pieces_mode pieces)
 {
     il_slice two[2];
     make_grids(two, n, height);

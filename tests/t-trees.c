@@ -400,7 +400,8 @@ static void loft_tree(uint64_t i, size_t spacing, outcome *to)
     tree_slices_free(&s);
 }
 
-/* In the long form at every spacing, else at one. */
+/* In the long form at every spacing, else at one.  Of those linked right 93 to 96 in a hundred come out as they are where
+ * spacings are wide; the others have branches that fall off. */
 static void all_are_lofted_soundly(void **state)
 {
     (void)state;
@@ -413,6 +414,7 @@ static void all_are_lofted_soundly(void **state)
         print_message("# spacing/width %g: %zu lofted, all links of %zu right; "
                       "of these %zu as they are, %zu in more pieces, %zu with handles\n",
                       spacings[spacing], o.lofted, o.right, o.same, o.more, o.handles);
+        assert_true(10 * o.right >= 5 * o.lofted && 10 * o.same >= 8 * o.right);
     }
 }
 

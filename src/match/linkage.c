@@ -167,18 +167,35 @@ static il_status plant_tree(const linking *l, size_t k, il_nearest *t, il_error 
     return il_nearest_build(t, s, n, l->first[k + 1] - l->first[k], err);
 }
 
-/* Of outlines that do not cross one end of the least distance is a vertex. */
+/* The least distance so far, and from what: class CLASS of TREE. */
+typedef struct approach {
+    const il_nearest *tree;
+    size_t class;
+    double least;
+} approach;
+
+static bool approach_segment(void *context, const il_segment *s)
+{
+    approach *to = context;
+    to->least = fmin(to->least, il_nearest_distance(to->tree, to->class, s->ax, s->ay));
+    return false;
+}
+
+/* Of outlines that do not cross one end of the least distance is a vertex: one of the shorter outline, or else one
+ * of the longer no farther from the box of the shorter than those are. */
 static double distance(const linking *l, const il_nearest t[2], const region *a, const region *b)
 {
-    double least = INFINITY;
-    for (int side = 0; side < 2; side++) {
-        const region *from = side == 0 ? a : b, *to = side == 0 ? b : a;
-        const il_ring *r = &l->slice[from->slice].ring[from->ring];
-        size_t class = (size_t)(to - l->region) - l->first[to->slice];
-        for (size_t i = 0; i < r->n; i++)
-            least = fmin(least, il_nearest_distance(&t[1 - side], class, r->xy[2 * i], r->xy[2 * i + 1]));
-    }
-    return least;
+    size_t n_a = l->slice[a->slice].ring[a->ring].n, n_b = l->slice[b->slice].ring[b->ring].n;
+    const region *few = n_a <= n_b ? a : b, *many = n_a <= n_b ? b : a;
+    const il_ring *r = &l->slice[few->slice].ring[few->ring];
+    const il_nearest *tree = &t[many == b];
+    size_t class = (size_t)(many - l->region) - l->first[many->slice];
+    approach to = { &t[few == b], (size_t)(few - l->region) - l->first[few->slice], INFINITY };
+    for (size_t i = 0; i < r->n; i++)
+        to.least = fmin(to.least, il_nearest_distance(tree, class, r->xy[2 * i], r->xy[2 * i + 1]));
+    const double box[4] = { few->box[0] - to.least, few->box[1] - to.least, few->box[2] + to.least, few->box[3] + to.least };
+    (void)il_nearest_visit(tree, class, box, approach_segment, &to);
+    return to.least;
 }
 
 /* Boxes of the regions of slice K, box[4*n], wider by MARGIN on all sides. */
@@ -193,16 +210,30 @@ static double *boxes_about(const linking *l, size_t k, double margin)
     return box;
 }
 
-/* Pairs of regions whose boxes are within MOST of each other, as seen along x and y. */
-static il_status near_boxes(const linking *l, size_t slab, double most, uint32_t **pair, size_t *n, il_error *err)
+/* Pairs of regions whose boxes are within MARGIN of each other, as seen along x and y; more than LIMIT: IL_E_INPUT. */
+static il_status near_boxes(const linking *l, size_t slab, double margin, size_t limit, uint32_t **pair, size_t *n, il_error *err)
 {
-    double *a = boxes_about(l, slab, most), *b = boxes_about(l, slab + 1, 0);
+    double *a = boxes_about(l, slab, margin), *b = boxes_about(l, slab + 1, 0);
     il_status st = a && b ? il_box_pairs_between(a, l->first[slab + 1] - l->first[slab], b,
-                                                 l->first[slab + 2] - l->first[slab + 1], SIZE_MAX, pair, n, err)
+                                                 l->first[slab + 2] - l->first[slab + 1], limit, pair, n, err)
                           : il_fail_nomem(err);
     il_free(a);
     il_free(b);
     return st;
+}
+
+/* Those within *MOST, which is halved until there are no more than IL_LINKAGE_NEAR for each region; of slices that
+ * are denser still there are none. */
+static il_status near_few(const linking *l, size_t slab, double *most, uint32_t **pair, size_t *n, il_error *err)
+{
+    size_t limit = IL_LINKAGE_NEAR * (l->first[slab + 2] - l->first[slab]);
+    for (int halved = 0; halved < 60; halved++, *most /= 2) {
+        il_status st = near_boxes(l, slab, *most, limit, pair, n, NULL);
+        if (st != IL_E_INPUT)
+            return st == IL_OK ? IL_OK : il_fail_nomem(err);
+    }
+    *n = 0;
+    return IL_OK;
 }
 
 /* Both sorted: step over the overlaps, candidates from *AT to END, that come before (A, B). */
@@ -220,7 +251,7 @@ static il_status find_gaps(linking *l, size_t slab, size_t from, il_error *err)
     double most = fmax(l->o->reach, l->o->free) * height(l, slab);
     size_t end = l->n_candidates, n = 0;
     uint32_t *pair = NULL;
-    il_status st = near_boxes(l, slab, most, &pair, &n, err);
+    il_status st = near_few(l, slab, &most, &pair, &n, err);
     if (n == end - from) /* they all overlap */
         n = 0;
     for (size_t k = 0; k < 2 && st == IL_OK && n > 0; k++)

@@ -20,6 +20,11 @@ typedef struct il_linkage_options {
 
 #define IL_LINKAGE_OPTIONS_INIT { 0.1, 0.75, 0.25, 0.25 }
 
+/* In a slab with more pairs of regions within reach, for each of its regions, gaps reach half as far, or a quarter
+ * and so on: joining over so many that are nearer means nothing, and time would grow with the square of the
+ * regions.  With 128 regions a slice there are never more. */
+enum { IL_LINKAGE_NEAR = 64 };
+
 /* USUAL: reach 0.75, which never harmed what is not a vessel; FEW: 4, for vessels, where all is
  * one piece; OVERLAP: 0, overlaps alone, which need not know the whole stack.
  * Slanted vessels of which no two slices overlap are many parts of about one size, so a tenth
@@ -42,8 +47,7 @@ void il_linkage_free(il_linkage *l); /* safe twice */
 
 /* Link slice[n], clean and rising.  known[k]: the record that slab k has already, or null:
  * then it gets no links, but what its groups join is one part, and without groups what
- * overlaps; a gap joins nothing.  O(n log n) for contours but for the rings whose boxes are as
- * near as gaps may be wide.  IL_E_NOMEM. */
+ * overlaps; a gap joins nothing.  O(n log^2 n) for contours.  IL_E_NOMEM. */
 il_status il_linkage_find(il_linkage *out, const il_slice *slice, size_t n, const il_pair *const *known,
                           const il_linkage_options *o, il_error *err);
 

@@ -98,7 +98,7 @@ done
 exits 0 "--skeleton is the whole stack" "$ISOLOFT" plot "$vase" --skeleton
 cp out skeleton.svg
 picture "which is a picture" skeleton.svg
-says "with a centre for each region" skeleton.svg "The centres of 53 regions, joined by 54 links: 1 piece"
+says "with a centre for each region" skeleton.svg "The centres of 53 regions, joined by 54 links: 1 piece, 2"
 says "the reasons of its links" skeleton.svg "overlap: 54 links"
 says "and its branching places" skeleton.svg "branching places: 2"
 holds "which are marked, and explained" test "$(count '<circle' skeleton.svg)" -eq 3

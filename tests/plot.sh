@@ -247,6 +247,13 @@ awk 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\""
 exits 3 "arcs that lie over one another are refused" "$ISOLOFT" plot over.loft
 holds "before they cost time" grep -q "over one another" err
 
+awk 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\"\nslice 0\nring\n0 0\n9 0\n9 9\n0 9\nslice 2\npair\nmatcher none"
+    for (k = 0; k < 5000; k++) print "cut lower 0\n" k * 7919 % 5000 / 556 " 0\n" k / 556 " 9"
+    print "end" }' >crossed.loft
+exits 0 "thousands of cuts across each other" "$ISOLOFT" plot crossed.loft --pair 0
+picture "are drawn as lines" out
+holds "without their millions of pieces" test "$(wc -c <out)" -lt 1000000
+
 # ---- sizes ---------------------------------------------------------------------
 
 pillar 500 400 >pillar.loft

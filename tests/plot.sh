@@ -71,6 +71,11 @@ says "as well" out "cut on the medial axis"
 awk 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\"\nslice 0\nring\n0 0\n9 0\n9 9\n0 9\nslice 2"
     print "ring\n1 1\n4 1\n4 8\nring\n5 1\n8 1\n8 8\nring\n9 10\n11 10\n11 12"
     print "pair\nmatcher none\ngroup\nlower 0\nupper 0 1 2\nlink 0 0 overlap 0\nlink 0 1 overlap 0\nlink 0 2 join 3\nend" }' >links.loft
+sed 's/^end$/cut lower 0\n2 0\n2 4\nend/' "$samples/v_pair_ffd.loft" >divided.loft
+exits 0 "a group that is divided" "$ISOLOFT" plot divided.loft --pair 0
+picture "is a picture" out
+says "it has no grid" out "has a φ of its own: 1 group"
+holds "but others have theirs" sh -c 'grep -q "global step alone" out && ! grep -q "lattice step" out'
 exits 0 "links" "$ISOLOFT" plot links.loft --pair 0
 says "have their reasons" out "overlap: 2 links"
 says "guesses are named" out "guessed, gap &gt; height: 1 link"

@@ -24,6 +24,10 @@ for pieces in 6 4 1; do
     exits 0 "$mesh is sound" isoloft check "$mesh"
     row components "$pieces, genus 0$"
 done <told
+commands examples/README.md 'isoloft plot tree' >told
+holds "and draws how it hangs together" test "$(wc -l <told)" -eq 1
+sh told
+holds "in the picture that it shows" cmp tree-skeleton.svg "$srcdir/examples/tree-skeleton.svg"
 exits 0 "nothing of the tree needs repair" isoloft info tree.loft --pieces few
 row repairs 'none$'
 row surface certified

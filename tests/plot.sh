@@ -71,6 +71,11 @@ says "as well" out "cut on the medial axis"
 awk 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\"\nslice 0\nring\n0 0\n9 0\n9 9\n0 9\nslice 2"
     print "ring\n1 1\n4 1\n4 8\nring\n5 1\n8 1\n8 8\nring\n9 10\n11 10\n11 12"
     print "pair\nmatcher none\ngroup\nlower 0\nupper 0 1 2\nlink 0 0 overlap 0\nlink 0 1 overlap 0\nlink 0 2 join 3\nend" }' >links.loft
+sed 's/^end$/cut lower 0\n2 0\n2 4\nend/' "$samples/v_pair_ffd.loft" >divided.loft
+exits 0 "a group that is divided" "$ISOLOFT" plot divided.loft --pair 0
+picture "is a picture" out
+says "it has no grid" out "has a φ of its own: 1 group"
+holds "but others have theirs" sh -c 'grep -q "global step alone" out && ! grep -q "lattice step" out'
 exits 0 "links" "$ISOLOFT" plot links.loft --pair 0
 says "have their reasons" out "overlap: 2 links"
 says "guesses are named" out "guessed, gap &gt; height: 1 link"
@@ -98,7 +103,7 @@ done
 exits 0 "--skeleton is the whole stack" "$ISOLOFT" plot "$vase" --skeleton
 cp out skeleton.svg
 picture "which is a picture" skeleton.svg
-says "with a centre for each region" skeleton.svg "The centres of 53 regions, joined by 54 links: 1 piece"
+says "with a centre for each region" skeleton.svg "The centres of 53 regions, joined by 54 links: 1 piece, 2"
 says "the reasons of its links" skeleton.svg "overlap: 54 links"
 says "and its branching places" skeleton.svg "branching places: 2"
 holds "which are marked, and explained" test "$(count '<circle' skeleton.svg)" -eq 3
@@ -246,6 +251,13 @@ awk 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\""
     print "end" }' >over.loft
 exits 3 "arcs that lie over one another are refused" "$ISOLOFT" plot over.loft
 holds "before they cost time" grep -q "over one another" err
+
+awk 'BEGIN { print "isoloft 1\nunit mm\nstack \"a\"\nslice 0\nring\n0 0\n9 0\n9 9\n0 9\nslice 2\npair\nmatcher none"
+    for (k = 0; k < 5000; k++) print "cut lower 0\n" k * 7919 % 5000 / 556 " 0\n" k / 556 " 9"
+    print "end" }' >crossed.loft
+exits 0 "thousands of cuts across each other" "$ISOLOFT" plot crossed.loft --pair 0
+picture "are drawn as lines" out
+holds "without their millions of pieces" test "$(wc -c <out)" -lt 1000000
 
 # ---- sizes ---------------------------------------------------------------------
 

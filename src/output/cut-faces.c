@@ -2,6 +2,7 @@
 #include "output/cut-faces.h"
 #include "base/alloc.h"
 #include "base/forest.h"
+#include "bridge/boxes.h"
 #include "bridge/triangulation.h"
 #include "model/arrange.h"
 
@@ -80,6 +81,29 @@ static bool add_cut(plan *p, const il_cut *c, uint32_t owner, double length)
     return true;
 }
 
+/* Contours and cuts that make sense meet seldom; n that all cross would make n^2 nodes. */
+enum { MEETINGS_MOST = 64, MEETINGS_LEAST = 100000 };
+
+static il_status check_meetings(const il_arrangement *a, il_error *err)
+{
+    uint32_t *pair = NULL;
+    size_t n = 0;
+    double *box = il_alloc(a->n_edges, 4 * sizeof *box);
+    if (!box)
+        return il_fail_nomem(err);
+    for (size_t i = 0; i < a->n_edges; i++) {
+        const double *p = a->xy + 2 * a->edge[2 * i], *q = a->xy + 2 * a->edge[2 * i + 1];
+        for (int k = 0; k < 2; k++) {
+            box[4 * i + (size_t)k] = fmin(p[k], q[k]);
+            box[4 * i + 2 + (size_t)k] = fmax(p[k], q[k]);
+        }
+    }
+    il_status st = il_box_pairs(box, a->n_edges, MEETINGS_LEAST + MEETINGS_MOST * a->n_edges, &pair, &n, err);
+    il_free(pair);
+    il_free(box);
+    return st;
+}
+
 static il_status arrange(plan *p, const il_slice *s, const il_cut *cut, size_t n, bool upper, il_error *err)
 {
     double length = BEYOND * extent(s);
@@ -88,6 +112,8 @@ static il_status arrange(plan *p, const il_slice *s, const il_cut *cut, size_t n
     for (size_t i = 0; i < n && st == IL_OK; i++)
         if (cut[i].upper == upper && cut[i].n > 1 && !add_cut(p, &cut[i], (uint32_t)s->n, length))
             st = il_fail_nomem(err);
+    if (st == IL_OK)
+        st = check_meetings(&p->a, err);
     return st == IL_OK ? il_arrangement_settle(&p->a, &crossings, &touches, err) : st;
 }
 

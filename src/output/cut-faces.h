@@ -18,8 +18,8 @@ typedef struct il_cut_faces {
 void il_cut_faces_free(il_cut_faces *f); /* safe twice */
 
 /* Of S and those of the N cuts that are in it (UPPER).  Cuts that end a little short of what
- * they should meet are drawn out to it.  None where rings and cuts make no sense together.
- * O(n log n) for n edges.  IL_E_NOMEM; *F is to be freed either way. */
+ * they should meet are drawn out to it.  None where rings and cuts make no sense together, or
+ * cross each other all over.  O(n log n) for n edges.  IL_E_NOMEM; *F is to be freed either way. */
 il_status il_cut_faces_find(il_cut_faces *f, const il_slice *s, const il_cut *cut, size_t n, bool upper, il_error *err);
 
 #endif

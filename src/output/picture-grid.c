@@ -113,16 +113,64 @@ static il_status draw_group(il_svg_page *page, const il_svg_view *v, const il_bo
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
+static size_t rings_of(const il_group *g, bool upper, const uint32_t **ring)
+{
+    *ring = upper ? g->upper : g->lower;
+    return upper ? g->n_upper : g->n_lower;
+}
+
+/* group_of[ring], below *N: the groups of P of the rings of one slice; null without memory. */
+static uint32_t *groups_of_rings(const il_pair *p, bool upper, size_t *n)
+{
+    const uint32_t *ring;
+    *n = 0;
+    for (size_t i = 0; i < p->n_groups; i++)
+        for (size_t k = rings_of(&p->group[i], upper, &ring); k-- > 0;)
+            *n = ring[k] >= *n ? (size_t)ring[k] + 1 : *n;
+    uint32_t *group_of = il_alloc(*n, sizeof *group_of);
+    for (size_t r = 0; group_of && r < *n; r++)
+        group_of[r] = UINT32_MAX;
+    for (uint32_t i = 0; group_of && i < p->n_groups; i++)
+        for (size_t k = rings_of(&p->group[i], upper, &ring); k-- > 0;)
+            group_of[ring[k]] = i;
+    return group_of;
+}
+
+/* divided[n_groups]: has a ring of the group a cut? */
+static bool *find_divided(const il_pair *p)
+{
+    bool *divided = il_calloc(p->n_groups, sizeof *divided);
+    for (int upper = 0; upper < 2 && divided && p->n_cuts > 0; upper++) {
+        size_t n;
+        uint32_t *group_of = groups_of_rings(p, upper == 1, &n);
+        for (size_t i = 0; group_of && i < p->n_cuts; i++)
+            if (p->cut[i].upper == (upper == 1) && p->cut[i].ring < n && group_of[p->cut[i].ring] != UINT32_MAX)
+                divided[group_of[p->cut[i].ring]] = true;
+        if (!group_of) {
+            il_free(divided);
+            divided = NULL;
+        }
+        il_free(group_of);
+    }
+    return divided;
+}
+
 il_status il_picture_grid(il_svg_page *page, const il_svg_view *v, const il_slice *upper, const il_pair *p,
                           il_grid_facts *facts, il_error *err)
 {
     double steps = 0;
     il_status st = IL_OK;
-    *facts = (il_grid_facts){ 0, 0, 0, 0 };
+    bool *divided = find_divided(p);
+    *facts = (il_grid_facts){ 0 };
+    if (!divided)
+        return il_fail_nomem(err);
     il_svg_open(page, "fill=\"none\" stroke=\"" IL_GRID_COLOR "\" stroke-width=\".7\"");
     for (size_t i = 0; i < p->n_groups && st == IL_OK; i++) {
         const il_group *g = &p->group[i];
         if (!g->fitted || g->n_upper == 0)
+            continue;
+        facts->divided += divided[i];
+        if (divided[i])
             continue;
         facts->groups++;
         il_box b = group_box(upper, g);
@@ -137,5 +185,6 @@ il_status il_picture_grid(il_svg_page *page, const il_svg_view *v, const il_slic
         facts->steps += whole ? g->fit.n_lattices : 0;
     }
     il_svg_close(page);
+    il_free(divided);
     return st;
 }

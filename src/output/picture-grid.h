@@ -6,9 +6,10 @@
 
 /* Of so many fitted groups so many have a grid; whole: under phi, with so many
  * lattice steps in all.  The others show the global step alone, dotted, because
- * the record has not all of their lattices. */
+ * the record has not all of their lattices.  divided: groups beside those whose regions are
+ * cut, each piece with a phi of its own, which no one grid can show. */
 typedef struct il_grid_facts {
-    size_t groups, drawn, whole, steps;
+    size_t groups, drawn, whole, steps, divided;
 } il_grid_facts;
 
 /* For each fitted group of P a grid round its rings in UPPER. */

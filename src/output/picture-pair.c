@@ -142,13 +142,18 @@ static void describe(il_label *l, const il_figure *f)
 static void tell_grids(il_svg_page *page, const il_grid_facts *g)
 {
     il_label l = IL_LABEL_INIT;
-    if (g->drawn == g->groups)
-        return;
-    il_label_words(&l, "Grids are shown for ");
-    il_label_count(&l, g->drawn);
-    il_label_words(&l, " of ");
-    il_label_count(&l, g->groups);
-    il_label_words(&l, " groups; more would be too many lines.");
+    if (g->drawn < g->groups) {
+        il_label_words(&l, "Grids are shown for ");
+        il_label_count(&l, g->drawn);
+        il_label_words(&l, " of ");
+        il_label_count(&l, g->groups);
+        il_label_words(&l, " groups; more would be too many lines. ");
+    }
+    if (g->divided > 0) {
+        il_label_words(&l, "Without a grid, for each piece of a cut region has a \xCF\x86 of its own: ");
+        il_label_counted(&l, g->divided, "group");
+        il_label_words(&l, ".");
+    }
     il_picture_paragraph(page, IL_PAGE_INNER, l.text);
 }
 
@@ -269,7 +274,7 @@ il_status il_picture_draw_pair(il_svg_page *page, const il_figure *f, il_error *
     il_label words = IL_LABEL_INIT;
     il_arcs arcs = IL_ARCS_INIT;
     il_match_facts facts = { 0 };
-    il_grid_facts grid = { 0, 0, 0, 0 };
+    il_grid_facts grid = { 0 };
     il_skeleton skeleton = IL_SKELETON_INIT;
     const il_skeleton *links = NULL;
     page->tolerance = 0.1;

@@ -234,8 +234,10 @@ static void describe(il_label *l, const scene *c)
     il_label_counted(l, s->n_bones, "link");
     il_label_words(l, ": ");
     il_label_counted(l, s->n_pieces, "piece");
-    il_label_words(l, ", ");
-    il_label_counted(l, s->loops, "loop");
+    if (s->loops > 0) {
+        il_label_words(l, ", ");
+        il_label_counted(l, s->loops, "loop");
+    }
     il_label_words(l, ".");
     if (c->o.stretch != 1) {
         il_label_words(l, " Heights are multiplied by ");

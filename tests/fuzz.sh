@@ -15,6 +15,7 @@ json
 keyhole
 kml
 lines
+links
 loft
 mesh
 relief

@@ -4,10 +4,13 @@
 #include "base/number.h"
 #include "contours.h"
 #include "match/ffd.h"
+#include "match/link.h"
 #include "match/refit.h"
 #include "matching.h"
 #include "model/order.h"
 #include "region/clean.h"
+
+#include <stdio.h>
 
 /* Keeps the last two slices and the last pair; counts. */
 typedef struct keeper {
@@ -364,6 +367,61 @@ static void what_rounding_joins_is_matched_anew(void **state)
     }
 }
 
+/* "0 0 join 4": the links of P, by groups; TO[200]. */
+static char *links_text(const il_pair *p, char *to)
+{
+    size_t n = 0;
+    *to = '\0';
+    for (size_t i = 0; i < p->n_groups; i++)
+        for (size_t k = 0; k < p->group[i].n_links; k++) {
+            const il_link *l = &p->group[i].link[k];
+            n += (size_t)snprintf(to + n, 200 - n, "%s%u %u %s %g", n > 0 ? ", " : "", (unsigned)l->lower, (unsigned)l->upper,
+                                  il_link_reason_word(l->reason), l->reach);
+        }
+    return to;
+}
+
+/* Slices that overlap nowhere or everywhere, but for what their links say. */
+static void links_stay_with_what_rounding_makes_of_their_rings(void **state)
+{
+    (void)state;
+#define BENT "0 0, 8 0, 8.000000001 4, 8 4.000000001, 8 8, 0 8"
+#define NECK "0 0, 8 0, 8 4, 12 4, 12 0, 20 0, 20 8, 12 8, 12 4.000000000001, 8 4.000000000001, 8 8, 0 8"
+#define SLIT "0 0, 4 0, 4 8, 0 8; 4.000000000001 0, 8 0, 8 8, 4.000000000001 8"
+    static const struct { const char *lower, *upper; il_link link[3]; size_t n; const char *is; } c[] = {
+        { BENT, "12 0, 20 0, 20 8, 12 8", { { 0, 0, IL_LINK_JOIN, 4 } }, 1, "0 0 join 4" },
+        { BENT "; 30 0, 38 0, 38 8, 30 8", "12 0, 20 0, 20 8, 12 8", { { 1, 0, IL_LINK_GIVEN, 10 } }, 1, "1 0 given 10" },
+        { BENT, "0 0, 9 0, 9 9, 0 9", { { 0 } }, 0, "" }, /* they overlap, and somebody says that they are apart */
+        { NECK, "30 0, 38 0, 38 8, 30 8", { { 0, 0, IL_LINK_JOIN, 10 } }, 1, "0 0 join 10, 1 0 join 10" },
+        { "30 0, 38 0, 38 8, 30 8", SLIT, { { 0, 0, IL_LINK_JOIN, 26 }, { 0, 1, IL_LINK_NEAR, 22 } }, 2, "0 0 near 22" },
+        { BENT "; 50 0, 50.0000000001 0, 50 1e-10", "12 0, 20 0, 20 8, 12 8",
+          { { 0, 0, IL_LINK_JOIN, 4 }, { 1, 0, IL_LINK_JOIN, 30 } }, 2, "0 0 join 4" }, /* a ring vanishes */
+        { "0 0, 12 0, 12 12, 0 12; 4 4, 4 8, 8 8.000000000001, 8.000000000001 8, 8 4", "2 2, 20 2, 20 20, 2 20; 6 6, 6 10, 10 10, 10 6",
+          { { 0, 0, IL_LINK_OVERLAP, 0 }, { 1, 1, IL_LINK_OVERLAP, 0 } }, 2, "0 0 overlap 0, 1 1 overlap 0" } };
+    const il_match_options o = { IL_MATCHER_FFD, false, 1 };
+    il_ffd *solver = NULL;
+    assert_int_equal(il_ffd_new(&solver, NULL), IL_OK);
+    for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+        char text[200];
+        il_slice s[2] = { slice_of(c[i].lower), slice_of(c[i].upper) };
+        s[1].z = 1;
+        make_clean(&s[0]);
+        make_clean(&s[1]);
+        il_pair p = { .matcher = IL_MATCHER_FFD, .linked = true };
+        assert_int_equal(il_link_group(&p, &s[0], &s[1], c[i].link, c[i].n, NULL), IL_OK);
+        assert_int_equal(il_match_slices(&s[0], &s[1], &o, solver, &p, NULL), IL_OK);
+        size_t before = il_slice_points(&s[0]) + il_slice_points(&s[1]);
+        keeper k = new_keeper();
+        assert_int_equal(through(s, &p, &k, NULL), IL_OK);
+        assert_true(il_slice_points(&k.slice[0]) + il_slice_points(&k.slice[1]) < before);
+        assert_string_equal(links_text(&k.pair, text), c[i].is);
+        assert_int_equal(k.pair.n_phi > 0, 1);
+        free_keeper(&k);
+        free_both(s);
+    }
+    il_ffd_free(solver);
+}
+
 static void pairs_that_name_nothing_pass(void **state)
 {
     (void)state;
@@ -487,6 +545,7 @@ int main(void)
         cmocka_unit_test(places_are_carried_over_where_rings_are_renumbered),
         cmocka_unit_test(a_record_of_slices_that_floats_can_hold_stays),
         cmocka_unit_test(what_rounding_joins_is_matched_anew),
+        cmocka_unit_test(links_stay_with_what_rounding_makes_of_their_rings),
         cmocka_unit_test(pairs_that_name_nothing_pass),
         cmocka_unit_test(slices_without_pairs_pass),
         cmocka_unit_test(terrain_passes_as_it_is),

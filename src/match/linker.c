@@ -4,11 +4,13 @@
 #include "match/given.h"
 #include "match/link.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* slice[n], and the pair of slices k - 1 and k in pair[k], if has_pair[k].  given: null when
- * nothing is said; has_come[its n_stacks]; now: what it says of this stack, or null.  n_begun:
- * stacks so far. */
+ * nothing is said; now: what it says of this stack, or null.  has_come[n_stacks]: which of its
+ * stacks have; order[n_stacks]: they by number and name; n_come[n_stacks]: where order[i] is the
+ * first of several alike, how many of them have come.  n_begun: stacks so far. */
 typedef struct linker {
     il_sink sink;
     il_sink *next;
@@ -16,6 +18,8 @@ typedef struct linker {
     const il_given *given;
     const il_given_stack *now;
     unsigned char *has_come;
+    const il_given_stack **order;
+    size_t *n_come;
     size_t n_begun;
     il_report *report;
     bool is_terrain;
@@ -33,18 +37,40 @@ static void forget(linker *l)
     l->n = 0;
 }
 
+static int compare_keys(const il_given_stack *a, long number, const char *name)
+{
+    return a->number != number ? (a->number < number ? -1 : 1) : strcmp(a->name, name);
+}
+
+/* By number and name, then as they stand in the file. */
+static int compare_given(const void *pa, const void *pb)
+{
+    const il_given_stack *a = *(const il_given_stack *const *)pa, *b = *(const il_given_stack *const *)pb;
+    int c = compare_keys(a, b->number, b->name);
+    return c != 0 ? c : (a > b) - (a < b);
+}
+
 /* The first that is for HEAD and has not come; null when none is. */
 static const il_given_stack *find_given(linker *l, const il_stack_head *head)
 {
     long number = head->has_number ? head->number : (long)l->n_begun;
-    for (size_t i = 0; l->given && i < l->given->n_stacks; i++) {
-        const il_given_stack *s = &l->given->stack[i];
-        if (l->has_come[i] || s->number != number || strcmp(s->name, il_stack_head_name(head)) != 0)
-            continue;
-        l->has_come[i] = 1;
-        return s;
+    const char *name = il_stack_head_name(head);
+    size_t n = l->given ? l->given->n_stacks : 0, low = 0, high = n;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (compare_keys(l->order[middle], number, name) < 0)
+            low = middle + 1;
+        else
+            high = middle;
     }
-    return NULL;
+    if (low == n || compare_keys(l->order[low], number, name) != 0)
+        return NULL;
+    size_t at = low + l->n_come[low];
+    if (at >= n || compare_keys(l->order[at], number, name) != 0)
+        return NULL;
+    l->n_come[low]++;
+    l->has_come[l->order[at] - l->given->stack] = 1;
+    return l->order[at];
 }
 
 static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error *err)
@@ -164,20 +190,36 @@ static il_status end(il_sink *self, il_error *err)
     return l->next->end(l->next, err);
 }
 
+static il_status take_given(linker *l, const il_given *given, il_error *err)
+{
+    size_t n = given ? given->n_stacks : 0;
+    l->given = given;
+    l->has_come = il_calloc(n, 1);
+    l->order = il_alloc(n, sizeof *l->order);
+    l->n_come = il_calloc(n, sizeof *l->n_come);
+    if (!l->has_come || !l->order || !l->n_come)
+        return il_fail_nomem(err);
+    for (size_t i = 0; i < n; i++)
+        l->order[i] = &given->stack[i];
+    if (n > 1)
+        qsort(l->order, n, sizeof *l->order, compare_given);
+    return IL_OK;
+}
+
 il_status il_linker_new(il_sink **out, const il_linkage_options *o, const il_given *given, il_sink *next,
                         il_report *report, il_error *err)
 {
     linker *l = il_calloc(1, sizeof *l);
-    unsigned char *has_come = il_calloc(given ? given->n_stacks : 0, 1);
-    *out = l && has_come ? &l->sink : NULL;
-    if (!*out) {
-        il_free(l);
-        il_free(has_come);
+    *out = NULL;
+    if (!l)
         return il_fail_nomem(err);
-    }
-    *l = (linker){ .sink = { stack_begin, slice, pair, stack_end, end }, .next = next, .options = *o,
-                   .given = given, .has_come = has_come, .report = report };
-    return IL_OK;
+    *l = (linker){ .sink = { stack_begin, slice, pair, stack_end, end }, .next = next, .options = *o, .report = report };
+    il_status st = take_given(l, given, err);
+    if (st == IL_OK)
+        *out = &l->sink;
+    else
+        il_linker_free(&l->sink);
+    return st;
 }
 
 size_t il_linker_missed(const il_sink *s, size_t k)
@@ -198,5 +240,7 @@ void il_linker_free(il_sink *s)
     il_free(l->pair);
     il_free(l->has_pair);
     il_free(l->has_come);
+    il_free(l->order);
+    il_free(l->n_come);
     il_free(l);
 }

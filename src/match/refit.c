@@ -3,7 +3,9 @@
 #include "base/alloc.h"
 #include "base/keymap.h"
 #include "base/number.h"
+#include "match/carry.h"
 #include "match/ffd.h"
+#include "match/link.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -156,11 +158,28 @@ static void carry_over(il_pair *p, const renumbering r[2], const il_slice *is)
         qsort(p->phi, p->n_phi, sizeof *p->phi, compare_phi);
 }
 
+/* What belonged together still does: who has linked over the whole stack, or by hand, has seen
+ * more than these two slices. */
+static il_status link_again(il_refit *r, il_pair *p, il_error *err)
+{
+    il_link *link = NULL;
+    size_t n = 0;
+    bool linked = p->matcher == IL_MATCHER_FFD && p->n_groups > 0;
+    il_status st = linked ? il_links_carry(p, r->was, r->is, &link, &n, err) : IL_OK;
+    il_pair_free(p);
+    p->linked = linked;
+    if (st == IL_OK && linked)
+        st = il_link_group(p, &r->is[0], &r->is[1], link, n, err);
+    il_free(link);
+    return st;
+}
+
 static il_status match_again(il_refit *r, il_pair *p, il_error *err)
 {
     il_match_options o = { p->matcher, false, 1 };
     il_status st = r->solver || o.matcher == IL_MATCHER_NONE ? IL_OK : il_ffd_new(&r->solver, err);
-    il_pair_free(p);
+    if (st == IL_OK)
+        st = link_again(r, p, err);
     return st == IL_OK ? il_match_slices(&r->is[0], &r->is[1], &o, r->solver, p, err) : st;
 }
 

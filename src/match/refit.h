@@ -4,7 +4,8 @@
  * 32-bit floats, behind the matching.  Rings may then begin elsewhere or stand in
  * another order, and places that a record names are other places.  Two stages,
  * one before that cleaning and one behind it, carry the records over; where the
- * rings are no longer the same, vertex by vertex, the slices are matched again. */
+ * rings are no longer the same, vertex by vertex, the slices are matched again, by the links
+ * that they had. */
 #ifndef IL_MATCH_REFIT_H
 #define IL_MATCH_REFIT_H
 

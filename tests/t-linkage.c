@@ -472,6 +472,28 @@ static void random_stacks_are_linked_as_the_rule_says(void **state)
     free(text[1]);
 }
 
+/* Each waits for the one before it, which is in the other slice: who looks at all of them
+ * whenever one was joined is not done today. */
+static void a_long_chain_is_joined_fast(void **state)
+{
+    (void)state;
+    enum { MANY = 20000 };
+    il_slice slice[2] = { IL_SLICE_INIT, IL_SLICE_INIT };
+    slice[1].z = 4;
+    add_box(&slice[0], -1000, 0, 1000, 1000, false);
+    for (int i = 0; i < MANY; i++)
+        add_box(&slice[1 - i % 2], 2 + 3 * i, 0, 1, 1, false);
+    clean(&slice[0]);
+    clean(&slice[1]);
+    il_linkage l = link_stack(slice, 2, NULL, &usual);
+    assert_int_equal(l.first[1], MANY);
+    for (size_t i = 0; i < MANY; i++)
+        assert_true(l.link[i].reason == IL_LINK_JOIN && l.link[i].reach == 2 && l.link[i].lower == (i + 1) / 2 && l.link[i].upper == i / 2);
+    il_linkage_free(&l);
+    il_slice_free(&slice[0]);
+    il_slice_free(&slice[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -488,6 +510,7 @@ int main(void)
         cmocka_unit_test(slabs_that_have_a_record_get_no_links),
         cmocka_unit_test(nothing_is_linked_with_nothing),
         cmocka_unit_test(random_stacks_are_linked_as_the_rule_says),
+        cmocka_unit_test(a_long_chain_is_joined_fast),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,15 +21,15 @@ typedef struct roll { uint32_t *first, *list; } roll;
  * which stands for the outside.  outer[i]: the outer ring of ring i's region; about[i]: the
  * hole that ring i is or lies in, n outside; rings by both.  links: of outer rings.
  * reaches[i]: hole i overlaps the outside of the other slice; goes_on[i]: one of its holes.
- * inside: of all outer rings; region[i]: that of outer ring i, once it was asked for.
- * ring: trees over the outer rings, a class each. */
+ * region[i]: that of outer ring i, once it was asked for.  ring: trees over the outer rings, a
+ * class each. */
 typedef struct side {
     const il_slice *slice;
     il_slice turned;
     uint32_t n, *outer, *about;
     roll of_region, of_hole, links;
     bool *reaches, *goes_on;
-    il_patch inside, *region;
+    il_patch *region;
     il_nearest ring;
 } side;
 
@@ -39,6 +39,7 @@ typedef struct complement {
     side side[2];
     uint32_t *solid, *about;
     il_link *link;           size_t n_given, n_links, cap_links;
+    il_scan scan;
 } complement;
 
 static uint32_t node(const complement *c, int k, uint32_t ring)
@@ -85,7 +86,6 @@ static void side_free(side *s)
     roll_free(&s->links);
     il_free(s->reaches);
     il_free(s->goes_on);
-    il_patch_free(&s->inside);
     for (uint32_t i = 0; s->region && i < s->n; i++)
         il_patch_free(&s->region[i]);
     il_free(s->region);
@@ -126,13 +126,21 @@ static bool roll_links(complement *c, int k)
     return ok;
 }
 
-static il_status plant_inside(side *s, il_error *err)
+/* The outer rings of S, a class each. */
+static il_status plant_rings(side *s, il_error *err)
 {
-    bool ok = true;
-    for (uint32_t i = 0; i < s->n && ok; i++)
-        if (!is_hole(s, i) && s->about[i] == s->n)
-            ok = il_patch_add(&s->inside, &s->slice->ring[i], false);
-    return ok ? il_patch_plant(&s->inside, err) : il_fail_nomem(err);
+    size_t n = 0;
+    il_segment *e = il_alloc(il_slice_points(s->slice), sizeof *e);
+    if (!e)
+        return il_fail_nomem(err);
+    for (uint32_t i = 0; i < s->n; i++) {
+        const il_ring *r = &s->slice->ring[i];
+        for (size_t k = 0; k < r->n && !is_hole(s, i); k++) {
+            const double *p = r->xy + 2 * k, *q = r->xy + 2 * (k + 1 < r->n ? k + 1 : 0);
+            e[n++] = (il_segment){ p[0], p[1], q[0], q[1], i, k };
+        }
+    }
+    return il_nearest_build(&s->ring, e, n, s->n, err);
 }
 
 static il_status take_side(complement *c, int k, const double box[4], il_error *err)
@@ -153,7 +161,7 @@ static il_status take_side(complement *c, int k, const double box[4], il_error *
     if (st == IL_OK && !(roll_make(&s->of_region, s->outer, s->n, s->n) && roll_make(&s->of_hole, s->about, s->n, s->n + 1) &&
                          roll_links(c, k)))
         st = il_fail_nomem(err);
-    return st == IL_OK ? plant_inside(s, err) : st;
+    return st == IL_OK ? plant_rings(s, err) : st;
 }
 
 /* ---- parts of the complement ------------------------------------------------------------ */
@@ -242,26 +250,51 @@ static il_status mean_shift(complement *c, int k, uint32_t r, double mean[2], il
         double shift[2] = { 0, 0 };
         st = need_region(other, there, err);
         if (st == IL_OK)
-            il_link_shift(&s->region[r], &other->region[there], shift);
+            st = il_link_shift(&s->region[r], &other->region[there], &c->scan, shift, err);
         mean[0] += shift[0] / (end - begin);
         mean[1] += shift[1] / (end - begin);
     }
     return st;
 }
 
+typedef struct scanned { il_scan *scan; int side; } scanned;
+
+static bool scan_edge(void *context, const il_segment *e)
+{
+    scanned *s = context;
+    il_scan_add(s->scan, s->side, e);
+    return false;
+}
+
+/* Figure 1: the inside of the outer rings that lie in no hole, as far as it matters. */
+static void scan_outer_rings(const side *s, il_scan *scan)
+{
+    const double box[4] = { -INFINITY, scan->box[1], scan->box[2], scan->box[3] };
+    scanned to = { scan, 1 };
+    for (uint32_t i = 0; i < s->n; i++) {
+        const double *about = s->ring.box + 4 * s->ring.root[i];
+        if (!is_hole(s, i) && s->about[i] == s->n && about[0] <= scan->box[2] && about[2] >= scan->box[0])
+            il_nearest_visit(&s->ring, i, box, scan_edge, &to);
+    }
+}
+
 /* Does hole I of side K open, once moved BY? */
 static il_status test_hole(complement *c, int k, uint32_t i, const double by[2], il_error *err)
 {
-    const side *s = &c->side[k], *other = &c->side[1 - k];
+    const side *s = &c->side[k];
     il_patch hole = IL_PATCH_INIT;
+    double own, inside;
     if (by[0] == 0 && by[1] == 0 && !s->reaches[i])
         return IL_OK;
     il_status st = make_patch(&hole, s, &s->of_hole, i, true, by, err);
     if (st == IL_OK) {
-        double outside = 1 - il_patch_common(&hole, &other->inside) / hole.area;
-        if (outside > (s->goes_on[i] ? OPENS_BESIDE : OPENS))
-            il_forest_join(c->about, node(c, k, i), node(c, k, s->n));
+        il_scan_begin(&c->scan, hole.box);
+        il_patch_scan(&hole, &c->scan, 0);
+        scan_outer_rings(&c->side[1 - k], &c->scan);
+        st = il_scan_measure(&c->scan, &own, &inside, err);
     }
+    if (st == IL_OK && own - inside > (s->goes_on[i] ? OPENS_BESIDE : OPENS) * own)
+        il_forest_join(c->about, node(c, k, i), node(c, k, s->n));
     il_patch_free(&hole);
     return st;
 }
@@ -284,23 +317,6 @@ static il_status open_holes(complement *c, int k, il_error *err)
 }
 
 /* ---- which outer ring a hole opens to ----------------------------------------------------- */
-
-/* The outer rings of S, a class each. */
-static il_status plant_rings(side *s, il_error *err)
-{
-    size_t n = 0;
-    il_segment *e = il_alloc(il_slice_points(s->slice), sizeof *e);
-    if (!e)
-        return il_fail_nomem(err);
-    for (uint32_t i = 0; i < s->n; i++) {
-        const il_ring *r = &s->slice->ring[i];
-        for (size_t k = 0; k < r->n && !is_hole(s, i); k++) {
-            const double *p = r->xy + 2 * k, *q = r->xy + 2 * (k + 1 < r->n ? k + 1 : 0);
-            e[n++] = (il_segment){ p[0], p[1], q[0], q[1], i, k };
-        }
-    }
-    return il_nearest_build(&s->ring, e, n, s->n, err);
-}
 
 /* The least distance so far of edge A B from others. */
 typedef struct gap { const double *a, *b; double least; } gap;
@@ -413,8 +429,6 @@ static il_status link_complement(complement *c, il_error *err)
     il_status st = link_holes(c, err);
     for (int k = 0; k < 2 && st == IL_OK; k++)
         st = open_holes(c, k, err);
-    for (int k = 0; k < 2 && st == IL_OK; k++)
-        st = plant_rings(&c->side[k], err);
     return st == IL_OK ? link_openings(c, err) : st;
 }
 
@@ -443,6 +457,7 @@ il_status il_complement_link(il_link **link, size_t *n, const il_slice *lower, c
     }
     for (int k = 0; k < 2; k++)
         side_free(&c.side[k]);
+    il_scan_free(&c.scan);
     il_free(c.solid);
     il_free(c.about);
     il_free(c.link);

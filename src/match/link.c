@@ -286,36 +286,54 @@ static bool make_groups(il_pair *p, uint32_t *up, uint32_t *group_of, uint32_t n
     return ok;
 }
 
-/* Do rings A and B, whose regions overlap, lie on each other?  The centre of the lesser in the
- * other says so, else what they have in common. */
-static il_status lie_on_each_other(const il_ring *a, const il_ring *b, bool *yes, il_error *err)
+/* Outer rings as patches, once they were asked for: the lower slice's, then the upper's. */
+typedef struct slants {
+    const il_slice *slice[2];
+    il_patch *patch;
+    il_scan scan;
+} slants;
+
+static il_status need_patch(slants *s, int side, uint32_t ring, il_patch **p, il_error *err)
+{
+    *p = &s->patch[(side == 0 ? 0 : s->slice[0]->n) + ring];
+    if ((*p)->n > 0)
+        return IL_OK;
+    return il_patch_add(*p, &s->slice[side]->ring[ring], false) ? il_patch_plant(*p, err) : il_fail_nomem(err);
+}
+
+/* Do the rings of L, whose regions overlap, lie on each other, by what they have in common? */
+static il_status lie_on_each_other(slants *s, const il_link *l, bool *yes, il_error *err)
 {
     static const double LIES_ON = 0.3;
-    il_patch patch[2] = { IL_PATCH_INIT, IL_PATCH_INIT };
-    il_status st = il_patch_add(&patch[0], a, false) && il_patch_add(&patch[1], b, false) ? IL_OK : il_fail_nomem(err);
-    for (int k = 0; k < 2 && st == IL_OK; k++)
-        st = il_patch_plant(&patch[k], err);
+    il_patch *a, *b = NULL;
+    double common = 0;
+    il_status st = need_patch(s, 0, l->lower, &a, err);
     if (st == IL_OK)
-        *yes = il_patch_common(&patch[0], &patch[1]) > LIES_ON * fmin(patch[0].area, patch[1].area);
-    il_patch_free(&patch[0]);
-    il_patch_free(&patch[1]);
+        st = need_patch(s, 1, l->upper, &b, err);
+    if (st == IL_OK)
+        st = il_patch_common(a, b, &s->scan, &common, err);
+    *yes = st != IL_OK || common > LIES_ON * fmin(a->area, b->area);
     return st;
 }
 
 /* Links between outer rings of which next to nothing overlaps say so. */
 static il_status find_slants(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err)
 {
-    il_status st = IL_OK;
+    slants s = { { lower, upper }, il_calloc(lower->n + upper->n, sizeof *s.patch), IL_SCAN_INIT };
+    il_status st = s.patch ? IL_OK : il_fail_nomem(err);
     for (size_t g = 0; g < pair->n_groups; g++)
         for (size_t i = 0; i < pair->group[g].n_links && st == IL_OK; i++) {
             il_link *l = &pair->group[g].link[i];
-            const il_ring *a = &lower->ring[l->lower], *b = &upper->ring[l->upper];
             bool yes = true;
-            if (l->reason == IL_LINK_OVERLAP && il_ring_area2(a) > 0 && il_ring_area2(b) > 0)
-                st = lie_on_each_other(a, b, &yes, err);
+            if (l->reason == IL_LINK_OVERLAP && il_ring_area2(&lower->ring[l->lower]) > 0 && il_ring_area2(&upper->ring[l->upper]) > 0)
+                st = lie_on_each_other(&s, l, &yes, err);
             if (!yes)
                 l->reason = IL_LINK_SLANT;
         }
+    for (size_t i = 0; s.patch && i < lower->n + upper->n; i++)
+        il_patch_free(&s.patch[i]);
+    il_free(s.patch);
+    il_scan_free(&s.scan);
     return st;
 }
 

@@ -37,14 +37,16 @@ static void measure(il_patch *p)
 {
     const il_segment *o = p->edge;
     double sum = 0, x = 0, y = 0;
-    p->low = INFINITY;
+    p->box[0] = p->box[1] = INFINITY;
+    p->box[2] = p->box[3] = -INFINITY;
     for (size_t i = 0; i < p->n; i++) {
         const il_segment *e = &p->edge[i];
         double ax = e->ax - o->ax, ay = e->ay - o->ay, bx = e->bx - o->ax, by = e->by - o->ay, w = ax * by - bx * ay;
         sum += w;
         x += w * (ax + bx);
         y += w * (ay + by);
-        p->low = fmin(p->low, e->ay);
+        p->box[0] = fmin(p->box[0], e->ax), p->box[1] = fmin(p->box[1], e->ay);
+        p->box[2] = fmax(p->box[2], e->ax), p->box[3] = fmax(p->box[3], e->ay);
     }
     p->area = sum / 2;
     p->centre[0] = p->n > 0 ? o->ax + x / (3 * sum) : 0;
@@ -86,49 +88,32 @@ void il_patch_nearest(const il_patch *p, const double at[2], double nearest[2])
     nearest[1] = e->ay + place.t * (e->by - e->ay);
 }
 
-/* ---- what two have in common ---------------------------------------------------- */
+typedef struct scanned { il_scan *scan; int side; } scanned;
 
-static double height_at(const il_segment *e, double x)
+static bool add(void *context, const il_segment *e)
 {
-    if (x == e->ax || x == e->bx)
-        return x == e->ax ? e->ay : e->by;
-    return e->ay + (x - e->ax) / (e->bx - e->ax) * (e->by - e->ay);
-}
-
-/* The area below both edges and above LOW; > 0 when they run the same way. */
-static double below_both(const il_segment *e, const il_segment *f, double low)
-{
-    double from = fmax(fmin(e->ax, e->bx), fmin(f->ax, f->bx)), to = fmin(fmax(e->ax, e->bx), fmax(f->ax, f->bx));
-    if (!(from < to))
-        return 0;
-    double e0 = height_at(e, from) - low, e1 = height_at(e, to) - low;
-    double f0 = height_at(f, from) - low, f1 = height_at(f, to) - low, d0 = f0 - e0, d1 = f1 - e1, heights;
-    if ((d0 < 0 && d1 > 0) || (d0 > 0 && d1 < 0)) { /* they cross at T of the way */
-        double t = d0 / (d0 - d1), middle = e0 + t * (e1 - e0);
-        heights = t * (fmin(e0, f0) + middle) + (1 - t) * (middle + fmin(e1, f1));
-    } else {
-        heights = fmin(e0, f0) + fmin(e1, f1);
-    }
-    return ((e->ax < e->bx) == (f->ax < f->bx) ? 0.5 : -0.5) * (to - from) * heights;
-}
-
-typedef struct common { const il_segment *edge; double low, sum; } common;
-
-static bool add_common(void *context, const il_segment *f)
-{
-    common *c = context;
-    c->sum += below_both(c->edge, f, c->low);
+    scanned *s = context;
+    il_scan_add(s->scan, s->side, e);
     return false;
 }
 
-double il_patch_common(const il_patch *a, const il_patch *b)
+void il_patch_scan(const il_patch *p, il_scan *s, int side)
 {
-    const il_patch *few = a->n < b->n ? a : b, *many = a->n < b->n ? b : a;
-    common c = { NULL, fmin(a->low, b->low), 0 };
-    for (size_t i = 0; i < few->n; i++) {
-        const il_segment *e = c.edge = &few->edge[i];
-        const double box[4] = { fmin(e->ax, e->bx), -INFINITY, fmax(e->ax, e->bx), INFINITY };
-        il_nearest_visit(&many->tree, 0, box, add_common, &c);
-    }
-    return c.sum;
+    const double box[4] = { -INFINITY, s->box[1], s->box[2], s->box[3] };
+    scanned to = { s, side };
+    il_nearest_visit(&p->tree, 0, box, add, &to);
+}
+
+il_status il_patch_common(const il_patch *a, const il_patch *b, il_scan *s, double *area, il_error *err)
+{
+    double own;
+    const double box[4] = { fmax(a->box[0], b->box[0]), fmax(a->box[1], b->box[1]),
+                            fmin(a->box[2], b->box[2]), fmin(a->box[3], b->box[3]) };
+    *area = 0;
+    if (!(box[0] < box[2] && box[1] < box[3]))
+        return IL_OK;
+    il_scan_begin(s, box);
+    il_patch_scan(a, s, 0);
+    il_patch_scan(b, s, 1);
+    return il_scan_measure(s, &own, area, err);
 }

@@ -259,7 +259,7 @@ il_status il_attempt_group(il_outcome *out, const il_task *task, il_error *err)
         st = try_attempt(out, &handles, task, IL_ATTEMPT_S, err);
     if (st == IL_OK && deformed && !task->as_they_lie && handles != 0)
         st = try_attempt(out, &handles, task, IL_ATTEMPT_P, err);
-    if (st == IL_OK && handles != 0)
+    if (st == IL_OK && handles != 0 && !task->deformed_only)
         st = try_attempt(out, &handles, task, IL_ATTEMPT_B, err);
     return st;
 }

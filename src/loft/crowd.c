@@ -164,6 +164,62 @@ static uint32_t first_follower(il_crowd *c, uint32_t i)
     return UINT32_MAX;
 }
 
+/* The part of member I's arcs that still holds: match[n_matches] of TASK, which has room. */
+static void take_arcs(il_crowd *c, uint32_t i, const arcs *a, uint32_t *match, il_task *task)
+{
+    task->match = match;
+    task->n_matches = 0;
+    for (uint32_t k = a->first[i]; k < a->first[i + 1]; k++)
+        if (group_of_match(c, a->match[k]) == i)
+            match[task->n_matches++] = a->match[k];
+}
+
+/* The upper ring of record group G that is linked from farthest away, of those that follow, or
+ * UINT32_MAX when it is the last that does. */
+static uint32_t farthest_ring(const il_crowd *c, uint32_t g)
+{
+    const il_group *group = &c->pair->group[g];
+    uint32_t farthest = UINT32_MAX;
+    double reach = 0;
+    size_t n = 0;
+    for (size_t k = 0; k < group->n_upper; k++)
+        n += !c->follow.rests[group->upper[k]];
+    for (size_t k = 0; n > 1 && k < group->n_links; k++)
+        if (group->link[k].reach > reach && !c->follow.rests[group->link[k].upper]) {
+            reach = group->link[k].reach;
+            farthest = group->link[k].upper;
+        }
+    return farthest;
+}
+
+/* Group I, which lies apart, goes by no attempt as a whole: without the rings that are linked
+ * from farthest away, so that one bad vessel does not cost the others.  What came of it is
+ * kept when it is sound. */
+static il_status settle_parts(il_crowd *c, uint32_t i, const arcs *a, il_task *task, il_error *err)
+{
+    il_outcome next = IL_OUTCOME_INIT;
+    uint32_t *match = il_alloc(a->first[i + 1] - a->first[i], sizeof *match);
+    il_status st = match ? IL_OK : il_fail_nomem(err);
+    bool done = false;
+    task->deformed_only = true;
+    for (uint32_t ring = farthest_ring(c, i); st == IL_OK && !done && ring != UINT32_MAX; ring = farthest_ring(c, i)) {
+        st = il_follow_rest(&c->follow, ring, true, err);
+        take_arcs(c, i, a, match, task);
+        il_outcome_free(&next);
+        if (st == IL_OK)
+            st = il_attempt_group(&next, task, err);
+        done = st == IL_OK && next.verdict.flaw == IL_FLAW_NONE;
+    }
+    if (done) {
+        il_outcome swap = c->member[i].outcome;
+        c->member[i].outcome = next;
+        next = swap;
+    }
+    il_outcome_free(&next);
+    il_free(match);
+    return st;
+}
+
 static il_status settle_member(il_crowd *c, uint32_t i, const arcs *a, il_error *err)
 {
     il_member *m = &c->member[i];
@@ -179,7 +235,9 @@ static il_status settle_member(il_crowd *c, uint32_t i, const arcs *a, il_error 
         m->outcome.verdict.flaw = IL_FLAW_BOUNDARY;
         return IL_OK;
     }
-    return il_attempt_group(&m->outcome, &task, err);
+    il_status st = il_attempt_group(&m->outcome, &task, err);
+    bool in_parts = follower == i && m->outcome.attempt == IL_ATTEMPT_B && il_group_lies_apart(&p->group[i]);
+    return st == IL_OK && in_parts ? settle_parts(c, i, a, &task, err) : st;
 }
 
 /* Take the rings of group I out of the whole sections. */

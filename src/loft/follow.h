@@ -17,7 +17,7 @@ typedef struct il_follow {
     const il_pair *pair;
     const il_section *upper;
     const uint32_t *group_of; /* [upper rings] */
-    bool *group;
+    bool *group, *rests;      /* rests[upper rings]: those that were dropped alone */
     il_pair rows;
 } il_follow;
 
@@ -26,8 +26,8 @@ typedef struct il_follow {
 il_status il_follow_begin(il_follow *f, const il_pair *pair, const il_section *upper, const uint32_t *group_of, il_error *err);
 void il_follow_free(il_follow *f);
 
-/* Group G of the record does not follow any more.  IL_E_NOMEM likewise. */
-il_status il_follow_drop(il_follow *f, uint32_t g, il_error *err);
+/* Upper ring R does not follow any more, or does again.  IL_E_NOMEM likewise. */
+il_status il_follow_rest(il_follow *f, uint32_t r, bool rests, il_error *err);
 
 /* Does matched arc I, of group G, hold for G as it follows or not? */
 bool il_follow_holds(const il_follow *f, size_t i, uint32_t g);

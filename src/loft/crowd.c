@@ -174,43 +174,70 @@ static void take_arcs(il_crowd *c, uint32_t i, const arcs *a, uint32_t *match, i
             match[task->n_matches++] = a->match[k];
 }
 
-/* The upper ring of record group G that is linked from farthest away, of those that follow, or
- * UINT32_MAX when it is the last that does. */
-static uint32_t farthest_ring(const il_crowd *c, uint32_t g)
+/* The upper ring of record group G that is linked from farthest away, of those that follow and
+ * are nearer than BELOW; UINT32_MAX when there is none, or it is the last that follows. */
+static uint32_t farthest_ring(const il_crowd *c, uint32_t g, double below, double *reach)
 {
     const il_group *group = &c->pair->group[g];
     uint32_t farthest = UINT32_MAX;
-    double reach = 0;
     size_t n = 0;
+    *reach = 0;
     for (size_t k = 0; k < group->n_upper; k++)
         n += !c->follow.rests[group->upper[k]];
     for (size_t k = 0; n > 1 && k < group->n_links; k++)
-        if (group->link[k].reach > reach && !c->follow.rests[group->link[k].upper]) {
-            reach = group->link[k].reach;
+        if (group->link[k].reach > *reach && group->link[k].reach < below && !c->follow.rests[group->link[k].upper]) {
+            *reach = group->link[k].reach;
             farthest = group->link[k].upper;
         }
     return farthest;
 }
 
-/* Group I, which lies apart, goes by no attempt as a whole: without the rings that are linked
- * from farthest away, so that one bad vessel does not cost the others.  What came of it is
- * kept when it is sound. */
+/* Member I by S or P, without upper ring RING too: *NEXT is what comes of it. */
+static il_status try_without(il_crowd *c, uint32_t i, uint32_t ring, const arcs *a, uint32_t *match, il_task *task,
+                             il_outcome *next, bool *sound, il_error *err)
+{
+    il_status st = il_follow_rest(&c->follow, ring, true, err);
+    take_arcs(c, i, a, match, task);
+    il_outcome_free(next);
+    if (st == IL_OK)
+        st = il_attempt_group(next, task, err);
+    *sound = st == IL_OK && next->verdict.flaw == IL_FLAW_NONE;
+    return st;
+}
+
+/* Each of the rings alone, the farthest first, then the farthest for good and each of the others. */
+static il_status leave_out_rings(il_crowd *c, uint32_t i, const arcs *a, uint32_t *match, il_task *task,
+                                 il_outcome *next, bool *sound, il_error *err)
+{
+    il_status st = IL_OK;
+    double reach;
+    uint32_t ring = farthest_ring(c, i, INFINITY, &reach);
+    while (st == IL_OK && !*sound && ring != UINT32_MAX) {
+        uint32_t farthest = ring;
+        for (; st == IL_OK && ring != UINT32_MAX; ring = farthest_ring(c, i, reach, &reach)) {
+            st = try_without(c, i, ring, a, match, task, next, sound, err);
+            if (*sound)
+                return st;
+            if (st == IL_OK)
+                st = il_follow_rest(&c->follow, ring, false, err);
+        }
+        if (st == IL_OK)
+            st = il_follow_rest(&c->follow, farthest, true, err);
+        ring = farthest_ring(c, i, INFINITY, &reach);
+    }
+    return st;
+}
+
+/* Group I, which lies apart, goes by no attempt as a whole: without some of the upper rings that
+ * are linked from far away it may, so that one bad vessel does not cost the others. */
 static il_status settle_parts(il_crowd *c, uint32_t i, const arcs *a, il_task *task, il_error *err)
 {
     il_outcome next = IL_OUTCOME_INIT;
     uint32_t *match = il_alloc(a->first[i + 1] - a->first[i], sizeof *match);
-    il_status st = match ? IL_OK : il_fail_nomem(err);
-    bool done = false;
+    bool sound = false;
     task->deformed_only = true;
-    for (uint32_t ring = farthest_ring(c, i); st == IL_OK && !done && ring != UINT32_MAX; ring = farthest_ring(c, i)) {
-        st = il_follow_rest(&c->follow, ring, true, err);
-        take_arcs(c, i, a, match, task);
-        il_outcome_free(&next);
-        if (st == IL_OK)
-            st = il_attempt_group(&next, task, err);
-        done = st == IL_OK && next.verdict.flaw == IL_FLAW_NONE;
-    }
-    if (done) {
+    il_status st = match ? leave_out_rings(c, i, a, match, task, &next, &sound, err) : il_fail_nomem(err);
+    if (sound) {
         il_outcome swap = c->member[i].outcome;
         c->member[i].outcome = next;
         next = swap;

@@ -387,7 +387,8 @@ static char *outer_text(const il_linkage *l, const il_slice *slice, size_t n_sli
         for (size_t i = l->first[k]; i < l->first[k + 1]; i++) {
             const il_link *a = &l->link[i];
             if (il_ring_area2(&slice[k].ring[a->lower]) > 0 && il_ring_area2(&slice[k + 1].ring[a->upper]) > 0)
-                n += (size_t)snprintf(to + n, 100, "%zu: %u %u %s %.12g\n", k, a->lower, a->upper, il_link_reason_word(a->reason), a->reach);
+                n += (size_t)snprintf(to + n, 100, "%zu: %u %u %s %.12g\n", k, a->lower, a->upper,
+                                      il_link_reason_word(a->reason), a->reach);
         }
     return to;
 }

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "base/alloc.h"
 #include "base/number.h"
+#include "loft/follow.h"
 #include "loft/slab.h"
 #include "lofting.h"
 #include "region/clean.h"
@@ -340,6 +341,62 @@ static void groups_whose_surfaces_cross_are_joined(void **state)
     il_mesh_free(&k.mesh);
 }
 
+/* Two groups: the first slants by SHIFT with a phi that is trusted, the second stays and its phi,
+ * which would take it far away, is not. */
+static il_pair one_of_two_trusted(il_slice slice[2], double shift)
+{
+    static const uint32_t of[2] = { 0, 1 };
+    for (int i = 0; i < 2; i++) {
+        slice[i] = new_slice(i);
+        add_circle(&slice[i], shift * i, 0, 1, 24);
+        add_circle(&slice[i], 3, 0, 1, 24);
+        clean(&slice[i]);
+    }
+    const uint32_t upper[2] = { shift > 3, shift < 3 };
+    warp w = { warp_affine, { 1, 0, 0, 1, -shift, 0 }, 1 };
+    il_pair p = warp_pair(&slice[0], &slice[1], &w);
+    warp_regroup(&p, of, 2, upper, 2, 2);
+    p.group[1].fit.distortion = 9;
+    return p;
+}
+
+static void rings_whose_phi_is_not_trusted_stay_where_they_lie(void **state)
+{
+    (void)state;
+    il_slice slice[2];
+    il_pair p = one_of_two_trusted(slice, 1);
+    const uint32_t group_of[2] = { 0, 1 };
+    il_section upper;
+    il_follow f;
+    warp_match_rings(&p, 0, 0, 0, 0);
+    assert_int_equal(il_section_from_slice(&upper, &slice[1], NULL), IL_OK);
+    assert_int_equal(il_follow_begin(&f, &p, &upper, group_of, NULL), IL_OK);
+    assert_true(f.phi.pair && f.group[0] && !f.group[1] && f.rows.n_phi < p.n_phi);
+    for (size_t k = 0; k < f.rows.n_phi; k++) {
+        const il_phi_point *q = &f.rows.phi[k];
+        const double *xy = slice[1].ring[q->at.ring].xy + 2 * (size_t)q->at.vertex;
+        assert_true(q->at.t == 0 || q->at.ring == 0);
+        if (q->at.t == 0)
+            assert_true(fabs(q->x - (xy[0] - (q->at.ring == 0))) < 1e-12 && q->y == xy[1]);
+    }
+    assert_true(il_follow_holds(&f, 0, 0) && !il_follow_holds(&f, 0, 1));
+    il_follow_free(&f);
+    il_section_free(&upper);
+    il_pair_free(&p);
+    free_slices(slice, 2);
+}
+
+/* Through the one that stays: no surface has both. */
+static void a_group_that_slants_through_one_that_stays_is_capped(void **state)
+{
+    (void)state;
+    il_slice slice[2];
+    il_pair p = one_of_two_trusted(slice, 6);
+    keeper k = loft_two(slice, &p);
+    assert_int_equal(k.facts.components, 3);
+    il_mesh_free(&k.mesh);
+}
+
 /* A ring in no group ends under a cap, although one lies over it. */
 static void rings_in_no_group_are_capped(void **state)
 {
@@ -641,6 +698,8 @@ int main(void)
         cmocka_unit_test(points_that_neighbours_insert_are_matched_too),
         cmocka_unit_test(two_rings_that_slant_past_each_other_are_two_pieces),
         cmocka_unit_test(groups_whose_surfaces_cross_are_joined),
+        cmocka_unit_test(rings_whose_phi_is_not_trusted_stay_where_they_lie),
+        cmocka_unit_test(a_group_that_slants_through_one_that_stays_is_capped),
         cmocka_unit_test(rings_in_no_group_are_capped),
         cmocka_unit_test(what_phi_has_wrong_falls_to_the_identity),
         cmocka_unit_test(a_map_to_far_away_makes_two_caps),

@@ -9,7 +9,6 @@
 
 typedef struct star {
     il_builder *b;
-    const uint32_t *component;
     uint32_t *code;          size_t n, cap;  /* round the disc */
     double sum[2][2], length[2];             /* of the edges in each plane: middles by length */
 } star;
@@ -117,7 +116,7 @@ static bool build(star *s, uint32_t first, size_t n_rim, bool *done)
 il_status il_build_stars(il_builder *b, const uint32_t *component, size_t n_components, bool *done, il_error *err)
 {
     const il_overlay *o = b->o;
-    star s = { .b = b, .component = component };
+    star s = { .b = b };
     size_t *n_rim = il_calloc(n_components, sizeof *n_rim);
     uint32_t *first = il_alloc(n_components, sizeof *first);
     bool ok = n_rim && first;

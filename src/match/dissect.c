@@ -8,23 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* So many points of the grid across a region as broad as long. */
-static const double ACROSS = 20;
+/* So many points of the grid across a region as broad as long, but none nearer to each other
+ * than this, in cells: of what is thin, as many as of it would be billions. */
+static const double ACROSS = 20, LEAST_STEP = 0.5;
 
 /* No piece has less than this part of an equal share, for it has to hold a ring. */
 static const double LEAST_SHARE = 0.2;
-
-void il_piece_free(il_piece *p)
-{
-    il_free(p->xy);
-    il_free(p->next);
-    *p = (il_piece){ 0 };
-}
-
-il_outline il_piece_outline(const il_piece *p)
-{
-    return (il_outline){ p->xy, p->next, p->n };
-}
 
 void il_dissection_free(il_dissection *d)
 {
@@ -68,6 +57,27 @@ double il_dissection_side(const il_dissection *d, size_t i, const double p[2], s
     double cell[2];
     il_frame_to_cells(&d->frame, p, cell);
     return side_at(d, i, cell, rival);
+}
+
+static double power(const il_dissection *d, size_t i, const double p[2])
+{
+    double dx = p[0] - d->site[2 * i], dy = p[1] - d->site[2 * i + 1];
+    return dx * dx + dy * dy - d->weight[i];
+}
+
+size_t il_dissection_cell(const il_dissection *d, const double p[2])
+{
+    double cell[2], least = INFINITY;
+    size_t best = 0;
+    il_frame_to_cells(&d->frame, p, cell);
+    for (size_t i = 0; i < d->n; i++) {
+        double own = power(d, i, cell);
+        if (own < least) {
+            least = own;
+            best = i;
+        }
+    }
+    return best;
 }
 
 static double *in_cells(const il_frame *f, const double *from, size_t n)
@@ -233,11 +243,12 @@ static il_status triangulate(grid *g, bool *sound, il_error *err)
 /* From the outline xy[2*n], cells. */
 static il_status make_grid(il_dissection *d, const double *xy, const uint32_t *next, size_t n, bool *sound, il_error *err)
 {
-    grid g = { .d = d, .step = sqrt(fabs(area_of(xy, next, n))) / ACROSS };
+    double area = area_of(xy, next, n);
+    grid g = { .d = d, .step = fmax(sqrt(fabs(area)) / ACROSS, LEAST_STEP) };
     il_distance map = IL_DISTANCE_INIT;
     double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
     extend(box, xy, n);
-    *sound = g.step > 0;
+    *sound = area > 0;
     il_status st = il_distance_begin(&map, xy, next, n, d->frame.cells_x, d->frame.cells_y, err);
     if (st == IL_OK && *sound && !(add_outline(&g, xy, next, n, sound) && (!*sound || add_lattice(&g, &map, box))))
         st = il_fail_nomem(err);
@@ -281,14 +292,8 @@ static size_t take_masses(const il_dissection *d, mass *m, double *whole)
     return n;
 }
 
-static double power(const il_dissection *d, size_t i, const double p[2])
-{
-    double dx = p[0] - d->site[2 * i], dy = p[1] - d->site[2 * i + 1];
-    return dx * dx + dy * dy - d->weight[i];
-}
-
-/* The weight of site I by which its cell has the area WANTED, as the others are. */
-static void settle_weight(il_dissection *d, size_t i, double wanted, mass *m, size_t n)
+/* The weight of site I by which its cell has the area WANTED, as the others are: what it changes by. */
+static double settle_weight(il_dissection *d, size_t i, double wanted, mass *m, size_t n)
 {
     for (size_t t = 0; t < n; t++) {
         double least = INFINITY;
@@ -301,12 +306,15 @@ static void settle_weight(il_dissection *d, size_t i, double wanted, mass *m, si
     size_t t = 0;
     while (t + 1 < n && area + m[t].area / 2 < wanted)
         area += m[t++].area;
-    d->weight[i] += t > 0 ? (m[t - 1].lacks + m[t].lacks) / 2 : m[0].lacks;
+    double change = t > 0 ? (m[t - 1].lacks + m[t].lacks) / 2 : m[0].lacks;
+    d->weight[i] += change;
+    return change;
 }
 
-/* Site by site: two settle at once. */
+/* Site by site, until none changes by more than a hair, cells^2; two settle at once. */
 static il_status settle_weights(il_dissection *d, const double *share, il_error *err)
 {
+    static const double HAIR = 0.01;
     enum { SWEEPS = 40 };
     mass *m = il_alloc(d->n_triangles, sizeof *m);
     double whole, least, sum = 0, excess = 0;
@@ -318,9 +326,12 @@ static il_status settle_weights(il_dissection *d, const double *share, il_error 
     least = LEAST_SHARE * sum / (double)d->n;
     for (size_t i = 0; i < d->n; i++)
         excess += fmax(0, least - share[i]);
-    for (int sweep = 0; n > 0 && sweep < (d->n > 2 ? SWEEPS : 1); sweep++)
+    double change = INFINITY;
+    for (int sweep = 0; n > 0 && change > HAIR && sweep < (d->n > 2 ? SWEEPS : 1); sweep++) {
+        change = 0;
         for (size_t i = 0; i < d->n; i++)
-            settle_weight(d, i, whole * fmax(share[i], least) / (sum + excess), m, n);
+            change = fmax(change, fabs(settle_weight(d, i, whole * fmax(share[i], least) / (sum + excess), m, n)));
+    }
     il_free(m);
     return IL_OK;
 }

@@ -10,16 +10,7 @@
 #define IL_MATCH_DISSECT_H
 
 #include "match/frame.h"
-
-/* Rings as il_outline has them, owned.  crumbs: others were left out. */
-typedef struct il_piece {
-    bool crumbs;
-    double *xy;              size_t n, cap;
-    uint32_t *next;          size_t cap_next;
-} il_piece;
-
-void il_piece_free(il_piece *p);
-il_outline il_piece_outline(const il_piece *p);
+#include "match/piece.h"
 
 /* site[2*n], weight[n]: of the partners, in cells of frame, as is the grid: the region in
  * triangles, its outline's points first. */
@@ -43,6 +34,9 @@ void il_dissection_free(il_dissection *d);
 /* How far P (unit) is inside piece I, from the nearest cut, in cells; below 0 outside it.
  * *RIVAL (or null): the piece beyond that cut. */
 double il_dissection_side(const il_dissection *d, size_t i, const double p[2], size_t *rival);
+
+/* In whose cell P (unit) is.  O(n). */
+size_t il_dissection_cell(const il_dissection *d, const double p[2]);
 
 /* Piece I in the region's unit, without a strip of SEAM cells along the cuts; empty when
  * nothing is left.  Of several parts, where the cut goes in and out of the region, the one about

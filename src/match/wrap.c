@@ -15,13 +15,14 @@ static void free_loop(il_loop *l)
 {
     il_free(l->xy);
     il_free(l->along);
+    il_nearest_free(&l->edges);
 }
 
 void il_wrap_free(il_wrap *w)
 {
     free_loop(&w->from);
     free_loop(&w->to);
-    *w = (il_wrap){ .from = { NULL, NULL, 0 } };
+    *w = (il_wrap){ .from = { NULL, NULL, 0, { 0 } } };
 }
 
 /* ---- outlines -------------------------------------------------------------------- */
@@ -63,21 +64,24 @@ static void point_at(const il_loop *l, double step, double out[2])
         out[c] = l->xy[2 * low + c] + t * (l->xy[2 * high + c] - l->xy[2 * low + c]);
 }
 
+static il_status plant_edges(il_loop *l, il_error *err)
+{
+    il_segment *e = il_alloc(l->n, sizeof *e);
+    if (!e)
+        return il_fail_nomem(err);
+    for (size_t k = 0; k < l->n; k++) {
+        const double *a = l->xy + 2 * k;
+        e[k] = (il_segment){ a[0], a[1], a[2], a[3], 0, k };
+    }
+    return il_nearest_build(&l->edges, e, l->n, 1, err);
+}
+
 /* How far along L, in steps, the place nearest to P is. */
 static double nearest_step(const il_loop *l, const double p[2])
 {
-    double least = INFINITY, at = 0;
-    for (size_t k = 0; k < l->n; k++) {
-        const double *a = l->xy + 2 * k, *b = a + 2;
-        double dx = b[0] - a[0], dy = b[1] - a[1], l2 = dx * dx + dy * dy;
-        double t = l2 > 0 ? fmin(fmax(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / l2, 0), 1) : 0;
-        double away = hypot(a[0] + t * dx - p[0], a[1] + t * dy - p[1]);
-        if (away < least) {
-            least = away;
-            at = l->along[k] + t * (l->along[k + 1] - l->along[k]);
-        }
-    }
-    return at / l->along[l->n] * STEPS;
+    il_nearest_place at = { 0, 0, 0 };
+    il_nearest_point(&l->edges, 0, p[0], p[1], &at);
+    return (l->along[at.id] + at.t * (l->along[at.id + 1] - l->along[at.id])) / l->along[l->n] * STEPS;
 }
 
 /* ---- in step ------------------------------------------------------------------------ */
@@ -216,7 +220,7 @@ il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, co
     il_outline upper = il_piece_outline(from), lower = il_piece_outline(to);
     il_global g = IL_GLOBAL_IDENTITY;
     pace p;
-    *w = (il_wrap){ .from = { NULL, NULL, 0 } };
+    *w = (il_wrap){ .from = { NULL, NULL, 0, { 0 } } };
     *simple = true;
     il_status st = take_loop(&w->from, from, simple, err);
     if (st == IL_OK)
@@ -231,8 +235,14 @@ il_status il_wrap_begin(il_wrap *w, const il_piece *from, const il_piece *to, co
         p.u[2 * i] = g.a[0] * q[0] + g.a[1] * q[1] + g.a[4];
         p.u[2 * i + 1] = g.a[2] * q[0] + g.a[3] * q[1] + g.a[5];
     }
+    if (*simple)
+        st = plant_edges(&w->from, err);
+    if (*simple && st == IL_OK)
+        st = plant_edges(&w->to, err);
+    if (st != IL_OK || !*simple)
+        return st;
     set_pulls(&p, w, anchor, n);
-    return *simple ? walk_together(w, &p, err) : IL_OK;
+    return walk_together(w, &p, err);
 }
 
 double il_wrap_distortion(const il_wrap *w)

@@ -7,14 +7,17 @@
 #ifndef IL_MATCH_WRAP_H
 #define IL_MATCH_WRAP_H
 
-#include "match/dissect.h"
+#include "base/nearest.h"
+#include "match/piece.h"
 
 enum { IL_WRAP_STEPS = 96 };
 
-/* Rings in order from a first point: xy[2*n], along[n + 1] the length up to each point. */
+/* Rings in order from a first point: xy[2*n], along[n + 1] the length up to each point;
+ * edges: by their first points. */
 typedef struct il_loop {
     double *xy, *along;
     size_t n;
+    il_nearest edges;
 } il_loop;
 
 /* at[i]: where the place i / IL_WRAP_STEPS along `from` goes, in steps along `to`, rising;
@@ -36,7 +39,7 @@ void il_wrap_free(il_wrap *w);
 /* How unevenly it stretches: the root mean square of the log of the stretch over its mean. */
 double il_wrap_distortion(const il_wrap *w);
 
-/* Take P, on FROM's outline or near it, to TO's. */
+/* Take P, on FROM's outline or near it, to TO's.  O(log n). */
 void il_wrap_apply(const il_wrap *w, double p[2]);
 
 #endif

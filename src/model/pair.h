@@ -55,7 +55,8 @@ typedef struct il_insertion {
 
 /* The line along which the region of outer ring RING is cut, because it goes over into
  * several: n points xy[2*n], unit, along the medial axis between what it goes over into,
- * in the plane of its slice; it begins and ends on the region's outline. */
+ * in the plane of its slice; it begins and ends on the region's outline or where other cuts end,
+ * or runs round the midst of the region, last point as first. */
 typedef struct il_cut {
     bool upper;              /* whose region it is */
     uint32_t ring;

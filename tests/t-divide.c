@@ -69,6 +69,7 @@ static void group(couple *c, const il_link *link, size_t n)
     put_in_order(c, own, n);
     il_pair_free(&c->pair);
     assert_int_equal(il_link_group(&c->pair, &c->slice[0], &c->slice[1], own, n, NULL), IL_OK);
+    assert_int_equal(il_link_slants(&c->pair, &c->slice[0], &c->slice[1], NULL), IL_OK);
     c->pair.linked = true;
 }
 
@@ -561,6 +562,8 @@ static il_link_reason reason_of(double side, double width, double depth)
     couple c = of_text("0 0, 10 0, 10 10, 0 10", text);
     assert_int_equal(il_link_slices(&c.pair, &c.slice[0], &c.slice[1], NULL), IL_OK);
     assert_int_equal(c.pair.n_groups, 1);
+    assert_int_equal(c.pair.group[0].link[0].reason, IL_LINK_OVERLAP);
+    assert_int_equal(il_link_slants(&c.pair, &c.slice[0], &c.slice[1], NULL), IL_OK);
     il_link_reason why = c.pair.group[0].link[0].reason;
     free_couple(&c);
     return why;

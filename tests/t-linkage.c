@@ -77,7 +77,7 @@ static const il_linkage_options usual = IL_LINKAGE_OPTIONS_INIT;
 static void what_overlaps_is_linked_whatever_else(void **state)
 {
     (void)state;
-    const il_linkage_options none = { 0, 0, 2, 0 };
+    const il_linkage_options none = { 0, 0, 2, 0, false };
     const stack_text loop = { { BODY, "0 0, 1 0, 1 8, 0 8; 7 0, 8 0, 8 8, 7 8", BODY }, { 0, 1, 2 }, NULL };
     assert_links(&loop, &none, "0: 0 0 overlap, 0 1 overlap; 1: 0 0 overlap, 1 0 overlap");
     assert_links(&loop, &usual, "0: 0 0 overlap, 0 1 overlap; 1: 0 0 overlap, 1 0 overlap");
@@ -119,7 +119,7 @@ static void joins_reach_as_far_as_they_may(void **state)
     const stack_text out = { { BODY, BODY_AND("11.1 0, 12 0, 12 1, 11.1 1") }, { 0, 4 }, NULL };
     assert_links(&in, &usual, "0: 0 0 overlap, 0 1 join 3");
     assert_links(&out, &usual, "0: 0 0 overlap");
-    const il_linkage_options far = { 0.1, 4, 0.25, 0.25 };
+    const il_linkage_options far = { 0.1, 4, 0.25, 0.25, false };
     assert_links(&out, &far, "0: 0 0 overlap, 0 1 join 3.1");
     const stack_text corner = { { BODY, BODY_AND("9.5 10, 10 10, 10 11, 9.5 11") }, { 0, 4 }, NULL }; /* 1.5, 2: in a straight line */
     assert_links(&corner, &usual, "0: 0 0 overlap, 0 1 join 2.5");
@@ -129,7 +129,7 @@ static void joins_reach_as_far_as_they_may(void **state)
 static void a_part_is_joined_onto_a_quarter_of_the_volume(void **state)
 {
     (void)state;
-    const il_linkage_options o = { 0.1, 0.75, 0.25, 0.25 };
+    const il_linkage_options o = { 0.1, 0.75, 0.25, 0.25, false };
     const stack_text in = { { "0 0, 1 0, 1 1, 0 1; 100 0, 130 0, 130 1, 100 1; 2 0, 12 0, 12 1, 2 1", "-1 0, -.5 0, -.5 .125, -1 .125" },
                             { 0, 2 }, NULL };
     assert_links(&in, &o, ""); /* 10 of 41.1 is less; 1 is too little to be joined onto */
@@ -435,7 +435,8 @@ static void random_stacks_are_linked_as_the_rule_says(void **state)
 {
     (void)state;
     static const il_linkage_options rule[] = {
-        IL_LINKAGE_OPTIONS_INIT, { 0.1, 4, 0.25, 0.25 }, { 0, 4, 0.1, INFINITY }, { 0, 0, 0.25, 0.25 }, { 0.5, 2, 0.125, 0.5 }
+        IL_LINKAGE_OPTIONS_INIT, { 0.1, 4, 0.25, 0.25, false }, { 0, 4, 0.1, INFINITY, false },
+        { 0, 0, 0.25, 0.25, false }, { 0.5, 2, 0.125, 0.5, false }
     };
     oracle *o = malloc(sizeof *o);
     char *text[2] = { malloc(100 * MOST * MOST), malloc(100 * MOST * MOST) };

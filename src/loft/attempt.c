@@ -64,7 +64,7 @@ static il_status try_snapped(il_outcome *out, const il_task *task, const il_refe
         if (out->verdict.flaw != IL_FLAW_CROSSING || out->surface.n_inner == 0)
             break; /* without inner points there is no cap */
     }
-    if (st == IL_OK && r->deformed && out->verdict.flaw == IL_FLAW_CROSSING)
+    if (st == IL_OK && task->apart && r->deformed && out->verdict.flaw == IL_FLAW_CROSSING)
         st = build_and_judge(out, task, r, snapped, 0.5, true, err);
     return st;
 }

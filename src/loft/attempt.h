@@ -12,14 +12,15 @@
 /* A group: its sections (the rings of the group alone), and what is known of
  * them: phi (null: nothing), match[n_matches], which of phi's matched arcs are
  * theirs, and fit (or null); all borrowed.  as_they_lie: phi is the identity, so
- * that P would be B.  deformed_only: B is not tried.  outside: as in reference.h. */
+ * that P would be B.  deformed_only: B is not tried.  apart: the group
+ * lies apart (model/pair.h), so that sheets may be built as stars.  outside: as in reference.h. */
 typedef struct il_task {
     const il_section *lower, *upper;
     const il_phi *phi;
     const uint32_t *match; size_t n_matches;
     const il_fit *fit;
     unsigned char outside;
-    bool as_they_lie, round_float, deformed_only;
+    bool as_they_lie, round_float, deformed_only, apart;
 } il_task;
 
 /* What came of it: attempt is the one that passed, or the last.  What passed as

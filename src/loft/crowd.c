@@ -262,8 +262,9 @@ static il_status settle_member(il_crowd *c, uint32_t i, const arcs *a, il_error 
         m->outcome.verdict.flaw = IL_FLAW_BOUNDARY;
         return IL_OK;
     }
+    task.apart = follower != UINT32_MAX && il_group_lies_apart(&p->group[follower]);
     il_status st = il_attempt_group(&m->outcome, &task, err);
-    bool in_parts = follower == i && m->outcome.attempt == IL_ATTEMPT_B && il_group_lies_apart(&p->group[i]);
+    bool in_parts = task.apart && follower == i && m->outcome.attempt == IL_ATTEMPT_B;
     return st == IL_OK && in_parts ? settle_parts(c, i, a, &task, err) : st;
 }
 

@@ -200,13 +200,12 @@ static il_link judge(const giving *g, size_t k, const il_nearest t[2], const il_
 {
     il_link l = said->link;
     bool overlap = is_overlap(g, k, &l);
-    if (l.reason == IL_LINK_SLANT) /* by how much they overlap is seen again when they are grouped */
-        l.reason = IL_LINK_OVERLAP;
+    bool lies_on = l.reason == IL_LINK_OVERLAP || l.reason == IL_LINK_SLANT;
     if (said->explained && is_of_hole(g, k, &l))
         return l;
     double apart = overlap ? 0 : distance(g->slice + k, t, &l);
     bool agrees = said->explained && fabs(l.reach - apart) <= reach_leeway * apart;
-    if (!agrees || l.reason == IL_LINK_OPENING || (l.reason == IL_LINK_OVERLAP) != overlap)
+    if (!agrees || l.reason == IL_LINK_OPENING || lies_on != overlap)
         l.reason = IL_LINK_GIVEN;
     if (!agrees)
         l.reach = apart;

@@ -316,20 +316,37 @@ static il_status lie_on_each_other(slants *s, const il_link *l, bool *yes, il_er
     return st;
 }
 
-/* Links between outer rings of which next to nothing overlaps say so. */
-static il_status find_slants(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err)
+static bool is_of_hole(const il_link *l, const il_slice *lower, const il_slice *upper)
+{
+    return il_ring_area2(&lower->ring[l->lower]) < 0 || il_ring_area2(&upper->ring[l->upper]) < 0;
+}
+
+/* Is a link of G to a region that lies apart? */
+static bool leads_away(const il_group *g)
+{
+    for (size_t i = 0; i < g->n_links; i++)
+        if (g->link[i].reason != IL_LINK_OVERLAP && g->link[i].reason != IL_LINK_OPENING)
+            return true;
+    return false;
+}
+
+il_status il_link_slants(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err)
 {
     slants s = { { lower, upper }, il_calloc(lower->n + upper->n, sizeof *s.patch), IL_SCAN_INIT };
     il_status st = s.patch ? IL_OK : il_fail_nomem(err);
-    for (size_t g = 0; g < pair->n_groups; g++)
+    for (size_t g = 0; g < pair->n_groups; g++) {
+        bool away = leads_away(&pair->group[g]);
         for (size_t i = 0; i < pair->group[g].n_links && st == IL_OK; i++) {
             il_link *l = &pair->group[g].link[i];
             bool yes = true;
-            if (l->reason == IL_LINK_OVERLAP && il_ring_area2(&lower->ring[l->lower]) > 0 && il_ring_area2(&upper->ring[l->upper]) > 0)
+            if (l->reason != IL_LINK_OVERLAP || is_of_hole(l, lower, upper))
+                continue;
+            if (!away)
                 st = lie_on_each_other(&s, l, &yes, err);
-            if (!yes)
+            if (away || !yes)
                 l->reason = IL_LINK_SLANT;
         }
+    }
     for (size_t i = 0; s.patch && i < lower->n + upper->n; i++)
         il_patch_free(&s.patch[i]);
     il_free(s.patch);
@@ -350,8 +367,6 @@ il_status il_link_group(il_pair *pair, const il_slice *lower, const il_slice *up
         if (!make_groups(pair, up, group_of, (uint32_t)lower->n, n_rings, link, n))
             st = il_fail_nomem(err);
     }
-    if (st == IL_OK)
-        st = find_slants(pair, lower, upper, err);
     il_free(outer);
     il_free(up);
     il_free(group_of);

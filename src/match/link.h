@@ -22,6 +22,11 @@ il_status il_link_overlaps(const il_slice *lower, const il_slice *upper, uint32_
  * those without by their first upper ring.  IL_E_NOMEM: PAIR is only good to be freed. */
 il_status il_link_group(il_pair *pair, const il_slice *lower, const il_slice *upper, const il_link *link, size_t n, il_error *err);
 
+/* Of links between outer rings that overlap those say that they slant (IL_LINK_SLANT) of which
+ * less than 0.3 of the lesser does, or whose group has links to regions that lie apart too: so
+ * it is with vessels.  IL_E_NOMEM. */
+il_status il_link_slants(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err);
+
 /* Both, by overlaps alone. */
 il_status il_link_slices(il_pair *pair, const il_slice *lower, const il_slice *upper, il_error *err);
 

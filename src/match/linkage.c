@@ -49,7 +49,7 @@ il_linkage_options il_linkage_options_for(il_pieces_mode pieces)
 {
     il_linkage_options o = IL_LINKAGE_OPTIONS_INIT;
     if (pieces == IL_PIECES_FEW)
-        o = (il_linkage_options){ 0, 4, 0.1, INFINITY };
+        o = (il_linkage_options){ 0, 4, 0.1, INFINITY, true };
     else if (pieces == IL_PIECES_OVERLAP)
         o.free = o.reach = 0;
     return o;

@@ -13,12 +13,13 @@
 
 /* Gaps in heights of the slab.  dominant: the share of the stack's volume that a part must
  * have to be joined onto; small: of the volume of the dominant one, what the joined part must
- * be below. */
+ * be below.  slants: links are told that slant (link.h). */
 typedef struct il_linkage_options {
     double free, reach, dominant, small;
+    bool slants;
 } il_linkage_options;
 
-#define IL_LINKAGE_OPTIONS_INIT { 0.1, 0.75, 0.25, 0.25 }
+#define IL_LINKAGE_OPTIONS_INIT { 0.1, 0.75, 0.25, 0.25, false }
 
 /* In a slab with more pairs of regions within reach, for each of its regions, gaps reach half as far, or a quarter
  * and so on: joining over so many that are nearer means nothing, and time would grow with the square of the

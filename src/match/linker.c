@@ -119,8 +119,9 @@ static il_status make_pair(linker *l, const il_linkage *links, size_t k, il_erro
     il_pair *p = &l->pair[k];
     p->matcher = IL_MATCHER_FFD;
     p->linked = true;
-    return il_link_group(p, &l->slice[k - 1], &l->slice[k], links->link + links->first[k - 1],
-                         links->first[k] - links->first[k - 1], err);
+    il_status st = il_link_group(p, &l->slice[k - 1], &l->slice[k], links->link + links->first[k - 1],
+                                 links->first[k] - links->first[k - 1], err);
+    return st == IL_OK && l->options.slants ? il_link_slants(p, &l->slice[k - 1], &l->slice[k], err) : st;
 }
 
 /* A slice is the next stage's once it is passed on, so the pair above it is made before. */

@@ -46,13 +46,16 @@ bool il_fit_is_trusted(const il_fit *f)
 
 bool il_group_lies_apart(const il_group *g)
 {
+    bool lies_on = false, apart = false;
     for (size_t i = 0; i < g->n_links; i++) {
         il_link_reason why = g->link[i].reason;
-        bool lies_on = why == IL_LINK_OVERLAP || (why == IL_LINK_GIVEN && g->link[i].reach == 0);
-        if (!lies_on && why != IL_LINK_OPENING)
+        bool given = why == IL_LINK_GIVEN;
+        if (why == IL_LINK_SLANT || (given && g->link[i].reach > 0))
             return true;
+        lies_on = lies_on || why == IL_LINK_OVERLAP || given;
+        apart = apart || why == IL_LINK_NEAR || why == IL_LINK_JOIN;
     }
-    return false;
+    return apart && !lies_on;
 }
 
 bool il_group_is_trusted(const il_group *g)

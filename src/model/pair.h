@@ -69,9 +69,9 @@ typedef enum il_matcher { IL_MATCHER_NONE, IL_MATCHER_FFD } il_matcher;
 typedef enum il_attempt { IL_ATTEMPT_S, IL_ATTEMPT_P, IL_ATTEMPT_B, IL_N_ATTEMPTS } il_attempt;
 
 /* Why two rings belong together: their regions overlap, or the holes that they are
- * the outlines of; they overlap by so little that what goes from one to the other must
- * slant; they lie close; the link makes one of two parts that nothing else holds
- * together; a hole and the ring whose outside it opens to; the user says so. */
+ * the outlines of; they overlap, but what goes from one to the other slants, in vessels;
+ * they lie close; the link makes one of two parts that nothing else holds together;
+ * a hole and the ring whose outside it opens to; the user says so. */
 typedef enum il_link_reason {
     IL_LINK_OVERLAP, IL_LINK_SLANT, IL_LINK_NEAR, IL_LINK_JOIN, IL_LINK_OPENING, IL_LINK_GIVEN, IL_N_LINK_REASONS
 } il_link_reason;
@@ -158,8 +158,11 @@ void il_fit_free(il_fit *f);          /* with its lattices; all zero afterwards 
 #define IL_SQUEEZE_MOST 0.25
 bool il_fit_is_trusted(const il_fit *f);
 
-/* Is there a link of G whose regions do not lie on each other?  As the slices lie they are not
- * one piece, or by a neck that is none; so the surface follows phi, whatever it had to do. */
+/* Do the regions of G lie beside each other?  None of them on another; or one slants, or the
+ * user joined some that are apart.  As the slices lie they are not one piece, or by a neck
+ * that is none; so the surface follows phi, whatever it had to do.  Where a body goes on
+ * upright with a twig beside it, it does not: on solids that are no vessels the body's
+ * surface got worse by up to 40 %. */
 bool il_group_lies_apart(const il_group *g);
 
 /* Either, or a fit that is trusted. */

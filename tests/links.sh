@@ -216,10 +216,10 @@ done
 cd "$folder/invalid" || exit 1
 for f in x_*.links; do
     name=${f%.links}
-    "$ISOLOFT" match --links "$f" ../contours.loft >/dev/null 2>"$TMPDIR/work/err"
+    "$ISOLOFT" match --links "$f" ../contours.loft >/dev/null 2>"$TMPDIR/err"
     status=$?
-    { printf 'isoloft: '; cat "$name.error"; } >"$TMPDIR/work/want"
-    holds "refused as specified: $name" sh -c "[ $status -eq 3 ] && cmp '$TMPDIR/work/err' '$TMPDIR/work/want'"
+    { printf 'isoloft: '; cat "$name.error"; } >"$TMPDIR/want"
+    holds "refused as specified: $name" sh -c "[ $status -eq 3 ] && cmp '$TMPDIR/err' '$TMPDIR/want'"
 done
 cd "$TMPDIR/work" || exit 1
 grep -o '\[x_[a-z_0-9]*\]' "$folder.txt" | tr -d '[]' | sort -u >named

@@ -2,6 +2,7 @@
 #include "match/dissect.h"
 #include "base/alloc.h"
 #include "base/keymap.h"
+#include "base/parity.h"
 #include "bridge/triangulation.h"
 
 #include <math.h>
@@ -100,14 +101,6 @@ static bool sites_differ(const il_dissection *d)
 
 /* ---- the grid ---- */
 
-static void extend(double box[4], const double *xy, size_t n)
-{
-    for (size_t k = 0; k < 2 * n; k++) {
-        box[k % 2] = fmin(box[k % 2], xy[k]);
-        box[k % 2 + 2] = fmax(box[k % 2 + 2], xy[k]);
-    }
-}
-
 static double area_of(const double *xy, const uint32_t *next, size_t n)
 {
     double sum = 0;
@@ -194,37 +187,23 @@ static bool add_lattice(grid *g, il_distance *region, const double box[4])
     return true;
 }
 
-/* Triangles on the left of the outline are inside, and all that no edge parts from them. */
-static il_status flood(grid *g, il_error *err)
+/* The triangles within the outline. */
+static il_status find_inside(grid *g, il_error *err)
 {
     il_dissection *d = g->d;
-    il_keymap left = IL_KEYMAP_INIT, right = IL_KEYMAP_INIT;
-    uint32_t *todo = il_alloc(d->n_triangles, sizeof *todo);
-    size_t n = 0;
-    d->inside = il_calloc(d->n_triangles, sizeof *d->inside);
-    bool ok = todo && d->inside;
+    il_keymap outline = IL_KEYMAP_INIT;
+    unsigned char *bound = il_alloc(d->n_triangles, 3);
+    d->inside = il_alloc(d->n_triangles, sizeof *d->inside);
+    bool ok = bound && d->inside;
     for (size_t i = 0; ok && i < g->n_edges; i++)
-        ok = il_keymap_put(&left, g->edge[2 * i], g->edge[2 * i + 1], 1) != NULL &&
-             il_keymap_put(&right, g->edge[2 * i + 1], g->edge[2 * i], 1) != NULL;
-    for (uint32_t t = 0; ok && t < d->n_triangles; t++)
-        for (size_t k = 0; k < 3; k++)
-            if (!d->inside[t] && il_keymap_get(&left, d->corner[3 * t + k], d->corner[3 * t + (k + 1) % 3], 0)) {
-                d->inside[t] = true;
-                todo[n++] = t;
-            }
-    while (ok && n > 0) {
-        uint32_t t = todo[--n];
-        for (size_t k = 0; k < 3; k++) {
-            uint32_t a = d->corner[3 * t + k], b = d->corner[3 * t + (k + 1) % 3], u = d->across[3 * t + k];
-            if (u == UINT32_MAX || d->inside[u] || il_keymap_get(&left, a, b, 0) || il_keymap_get(&right, a, b, 0))
-                continue;
-            d->inside[u] = true;
-            todo[n++] = u;
-        }
+        ok = il_keymap_put(&outline, IL_KEYMAP_EDGE(g->edge[2 * i], g->edge[2 * i + 1]), 1) != NULL;
+    for (size_t e = 0; ok && e < 3 * d->n_triangles; e++) {
+        uint32_t a = d->corner[e], b = d->corner[e % 3 == 2 ? e - 2 : e + 1];
+        bound[e] = (unsigned char)il_keymap_get(&outline, IL_KEYMAP_EDGE(a, b), 0);
     }
-    il_free(todo);
-    il_keymap_free(&left);
-    il_keymap_free(&right);
+    ok = ok && il_parity_flood(d->across, bound, 1, d->n_triangles, d->inside);
+    il_free(bound);
+    il_keymap_free(&outline);
     return ok ? IL_OK : il_fail_nomem(err);
 }
 
@@ -247,7 +226,7 @@ static il_status make_grid(il_dissection *d, const double *xy, const uint32_t *n
     grid g = { .d = d, .step = fmax(sqrt(fabs(area)) / ACROSS, LEAST_STEP) };
     il_distance map = IL_DISTANCE_INIT;
     double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
-    extend(box, xy, n);
+    il_frame_extend(box, xy, n);
     *sound = area > 0;
     il_status st = il_distance_begin(&map, xy, next, n, d->frame.cells_x, d->frame.cells_y, err);
     if (st == IL_OK && *sound && !(add_outline(&g, xy, next, n, sound) && (!*sound || add_lattice(&g, &map, box))))
@@ -257,7 +236,7 @@ static il_status make_grid(il_dissection *d, const double *xy, const uint32_t *n
     if (st == IL_OK && *sound)
         st = triangulate(&g, sound, err);
     if (st == IL_OK && *sound)
-        st = flood(&g, err);
+        st = find_inside(&g, err);
     il_distance_free(&map);
     il_keymap_free(&g.at);
     il_free(g.edge);
@@ -277,17 +256,17 @@ static int compare_masses(const void *p, const void *q)
     return a->lacks < b->lacks ? -1 : a->lacks > b->lacks;
 }
 
-static size_t take_masses(const il_dissection *d, mass *m, double *whole)
+static size_t take_masses(il_dissection *d, mass *m)
 {
     size_t n = 0;
-    *whole = 0;
+    d->area = 0;
     for (size_t t = 0; t < d->n_triangles; t++) {
         const double *a = d->xy + 2 * d->corner[3 * t], *b = d->xy + 2 * d->corner[3 * t + 1], *c = d->xy + 2 * d->corner[3 * t + 2];
         if (!d->inside[t])
             continue;
         m[n] = (mass){ { (a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3 },
                        ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2, 0 };
-        *whole += m[n++].area;
+        d->area += m[n++].area;
     }
     return n;
 }
@@ -317,10 +296,10 @@ static il_status settle_weights(il_dissection *d, const double *share, il_error 
     static const double HAIR = 0.01;
     enum { SWEEPS = 40 };
     mass *m = il_alloc(d->n_triangles, sizeof *m);
-    double whole, least, sum = 0, excess = 0;
+    double least, sum = 0, excess = 0;
     if (!m)
         return il_fail_nomem(err);
-    size_t n = take_masses(d, m, &whole);
+    size_t n = take_masses(d, m);
     for (size_t i = 0; i < d->n; i++)
         sum += share[i];
     least = LEAST_SHARE * sum / (double)d->n;
@@ -330,7 +309,7 @@ static il_status settle_weights(il_dissection *d, const double *share, il_error 
     for (int sweep = 0; n > 0 && change > HAIR && sweep < (d->n > 2 ? SWEEPS : 1); sweep++) {
         change = 0;
         for (size_t i = 0; i < d->n; i++)
-            change = fmax(change, fabs(settle_weight(d, i, whole * fmax(share[i], least) / (sum + excess), m, n)));
+            change = fmax(change, fabs(settle_weight(d, i, d->area * fmax(share[i], least) / (sum + excess), m, n)));
     }
     il_free(m);
     return IL_OK;
@@ -350,7 +329,7 @@ il_status il_dissection_begin(il_dissection *d, const il_outline *region, const 
 {
     double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
     *d = (il_dissection){ .n = n, .rings = count_rings(region) };
-    extend(box, region->xy, region->n);
+    il_frame_extend(box, region->xy, region->n);
     d->frame = il_frame_over(box);
     d->site = in_cells(&d->frame, site, n);
     d->weight = il_calloc(n, sizeof *d->weight);
@@ -369,12 +348,7 @@ il_status il_dissection_begin(il_dissection *d, const il_outline *region, const 
 
 double il_dissection_breadth(const il_dissection *d)
 {
-    double sum = 0;
-    for (size_t t = 0; t < d->n_triangles; t++) {
-        const double *a = d->xy + 2 * d->corner[3 * t], *b = d->xy + 2 * d->corner[3 * t + 1], *c = d->xy + 2 * d->corner[3 * t + 2];
-        sum += d->inside[t] ? (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]) : 0;
-    }
-    return sqrt(sum / 2) / 2;
+    return sqrt(d->area) / 2;
 }
 
 /* ---- pieces ---- */
@@ -542,16 +516,16 @@ il_status il_dissection_cuts(il_dissection *d, size_t i, il_piece *out, il_error
     return st;
 }
 
-bool il_dissection_meet(il_dissection *d, size_t i, size_t k, double middle[2], il_error *err)
+il_status il_dissection_meet(il_dissection *d, size_t i, size_t k, bool *meet, double middle[2], il_error *err)
 {
+    size_t low = i < k ? i : k, high = i < k ? k : i, n = 0;
     il_piece line = { 0 };
-    size_t n = 0;
     middle[0] = middle[1] = 0;
-    il_status st = il_dissection_cuts(d, i < k ? i : k, &line, err);
+    il_status st = il_dissection_cuts(d, low, &line, err);
     for (size_t p = 0; st == IL_OK && p < line.n; p++) {
-        size_t rival = i;
-        il_dissection_side(d, i < k ? i : k, line.xy + 2 * p, &rival);
-        if (rival != (i < k ? k : i))
+        size_t rival = low;
+        il_dissection_side(d, low, line.xy + 2 * p, &rival);
+        if (rival != high)
             continue;
         middle[0] += line.xy[2 * p];
         middle[1] += line.xy[2 * p + 1];
@@ -560,5 +534,6 @@ bool il_dissection_meet(il_dissection *d, size_t i, size_t k, double middle[2], 
     il_piece_free(&line);
     for (size_t c = 0; c < 2 && n > 0; c++)
         middle[c] /= (double)n;
-    return n > 0;
+    *meet = n > 0;
+    return st;
 }

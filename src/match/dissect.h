@@ -20,7 +20,8 @@ typedef struct il_dissection {
     size_t rings;            /* of the region */
     double *xy;              size_t n_points, cap_points;
     uint32_t *corner, *across; size_t n_triangles;
-    bool *inside;            /* [n_triangles] */
+    unsigned char *inside;   /* [n_triangles] */
+    double area;             /* of the region, cells^2 */
     double *side;            /* [n_points] scratch */
 } il_dissection;
 
@@ -47,9 +48,8 @@ il_status il_dissection_piece(il_dissection *d, size_t i, double seam, il_piece 
  * IL_E_NOMEM. */
 il_status il_dissection_cuts(il_dissection *d, size_t i, il_piece *out, il_error *err);
 
-/* The middle of the cut between pieces I and K, unit; false where they do not meet, and without
- * memory, when *ERR says so. */
-bool il_dissection_meet(il_dissection *d, size_t i, size_t k, double middle[2], il_error *err);
+/* *MEET: have pieces I and K a cut in common?  Its middle, unit.  IL_E_NOMEM. */
+il_status il_dissection_meet(il_dissection *d, size_t i, size_t k, bool *meet, double middle[2], il_error *err);
 
 /* Half the region's breadth or so, in cells: for how wide a seam should be. */
 double il_dissection_breadth(const il_dissection *d);

@@ -7,21 +7,25 @@
 
 static const double MARGIN = 0.15;
 
-void il_frame_extend(double box[4], const il_slice *s, const uint32_t *ring, size_t n)
+void il_frame_extend(double box[4], const double *xy, size_t n)
+{
+    for (size_t k = 0; k < 2 * n; k++) {
+        box[k % 2] = fmin(box[k % 2], xy[k]);
+        box[k % 2 + 2] = fmax(box[k % 2 + 2], xy[k]);
+    }
+}
+
+void il_frame_extend_rings(double box[4], const il_slice *s, const uint32_t *ring, size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        for (size_t k = 0; k < 2 * s->ring[ring[i]].n; k++) {
-            double v = s->ring[ring[i]].xy[k];
-            box[k % 2] = fmin(box[k % 2], v);
-            box[k % 2 + 2] = fmax(box[k % 2 + 2], v);
-        }
+        il_frame_extend(box, s->ring[ring[i]].xy, s->ring[ring[i]].n);
 }
 
 il_frame il_frame_about(const il_group *g, const il_slice *lower, const il_slice *upper)
 {
     double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
-    il_frame_extend(box, lower, g->lower, g->n_lower);
-    il_frame_extend(box, upper, g->upper, g->n_upper);
+    il_frame_extend_rings(box, lower, g->lower, g->n_lower);
+    il_frame_extend_rings(box, upper, g->upper, g->n_upper);
     return il_frame_over(box);
 }
 

@@ -18,8 +18,10 @@ typedef struct il_frame {
  * frame cannot be moved freely there (2.4 cells off instead of 0.3). */
 il_frame il_frame_about(const il_group *g, const il_slice *lower, const il_slice *upper);
 
-/* BOX (least x and y, greatest x and y) so as to hold the rings ring[n] of S. */
-void il_frame_extend(double box[4], const il_slice *s, const uint32_t *ring, size_t n);
+/* BOX (least x and y, greatest x and y) so as to hold the points xy[2*N] too; and the rings
+ * ring[N] of S. */
+void il_frame_extend(double box[4], const double *xy, size_t n);
+void il_frame_extend_rings(double box[4], const il_slice *s, const uint32_t *ring, size_t n);
 
 /* Likewise of what lies in BOX. */
 il_frame il_frame_over(const double box[4]);

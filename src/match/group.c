@@ -222,7 +222,7 @@ static il_frame frame_over_images(const group_match *m)
 {
     const il_group *g = m->group;
     double box[4] = { INFINITY, INFINITY, -INFINITY, -INFINITY };
-    il_frame_extend(box, m->slice[0], g->lower, g->n_lower);
+    il_frame_extend_rings(box, m->slice[0], g->lower, g->n_lower);
     for (size_t i = 0; i < g->n_upper; i++) {
         const il_rows *image = &m->work->image[g->upper[i]];
         for (size_t k = 0; k < image->n; k++) {

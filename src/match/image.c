@@ -30,7 +30,7 @@ static void point_on(const walk *w, size_t k, double t, double out[2])
         out[c] = a[c] + t * (b[c] - a[c]);
 }
 
-/* Is Q on the outline of P, within NEAR? */
+/* Is Q within NEAR, unit, of the outline of P? */
 static bool is_on(const il_piece *p, const double q[2], double near)
 {
     for (size_t i = 0; i < p->n; i++) {
@@ -43,7 +43,7 @@ static bool is_on(const il_piece *p, const double q[2], double near)
     return false;
 }
 
-/* The link, by its number in the region, in whose piece edge K at T is, or UINT32_MAX. */
+/* The link, by its number in the region, in whose piece edge K at T is, or LOOSE. */
 static uint32_t owner(const walk *w, size_t k, double t)
 {
     double p[2];
@@ -118,19 +118,19 @@ static bool add_edge(walk *w, size_t k)
     size_t looks = (size_t)fmax(1, fmin(ceil(cells / LOOK), 1000));
     uint32_t own = owner(w, k, 0);
     double since = 0;
-    if (own == UINT32_MAX && !add_loose(w, k))
+    if (own == LOOSE && !add_loose(w, k))
         return false;
     for (size_t i = 1; i <= looks; i++) {
         double t0 = (double)(i - 1) / (double)looks, t1 = (double)i / (double)looks;
         uint32_t next = owner(w, k, t1);
         if (next == own)
             continue;
-        if (own != UINT32_MAX && !add_mapped(w, k, own, since, border(w, k, own, t0, t1)))
+        if (own != LOOSE && !add_mapped(w, k, own, since, border(w, k, own, t0, t1)))
             return false;
-        since = next != UINT32_MAX ? border(w, k, next, t1, t0) : 1;
+        since = next != LOOSE ? border(w, k, next, t1, t0) : 1;
         own = next;
     }
-    return own == UINT32_MAX || since >= 1 || add_mapped(w, k, own, since, 1);
+    return own == LOOSE || since >= 1 || add_mapped(w, k, own, since, 1);
 }
 
 static double way(const walk *w, size_t from, size_t to)
@@ -177,7 +177,7 @@ static bool tie_loose(walk *w)
 static bool crosses(const il_course_row *a, const il_course_row *b, const il_course_row *c, const il_course_row *e)
 {
     const double p[2] = { a->x, a->y }, q[2] = { b->x, b->y }, r[2] = { c->x, c->y }, s[2] = { e->x, e->y };
-    return il_orientation(p, q, r) * il_orientation(p, q, s) <= 0 && il_orientation(r, s, p) * il_orientation(r, s, q) <= 0;
+    return il_edges_meet(p, q, r, s);
 }
 
 /* The next mapped row after I, or before it. */

@@ -13,14 +13,6 @@ const il_piece *il_joint_piece(const il_division *d, const il_joint *j, int side
     return r->cut ? &j->piece[side] : &r->outline;
 }
 
-static void extend(double box[4], const il_piece *p)
-{
-    for (size_t k = 0; k < 2 * p->n; k++) {
-        box[k % 2] = fmin(box[k % 2], p->xy[k]);
-        box[k % 2 + 2] = fmax(box[k % 2 + 2], p->xy[k]);
-    }
-}
-
 static bool in_cells(const il_frame *f, const il_piece *p, il_piece *out)
 {
     bool ok = il_piece_move(out, p, 0, 0);
@@ -78,32 +70,35 @@ static void nearest_to(const il_piece *p, const il_piece *q, double out[2])
 
 /* Where joint J's region on SIDE was cut, and where on the other side it faces what lies beyond:
  * anchors of the one to the other, *N of them in TO, which has room. */
-static void add_anchors(const il_division *d, const il_joint *j, int side, il_anchor *to, size_t *n, il_error *err)
+static il_status add_anchors(const il_division *d, const il_joint *j, int side, il_anchor *to, size_t *n, il_error *err)
 {
     il_region *r = &d->region[side][j->region[side]];
+    il_status st = IL_OK;
     size_t own = 0;
     while (&d->joint[r->link[own]] != j)
         own++;
-    for (size_t k = 0; r->cut && k < r->n_links; k++) {
+    for (size_t k = 0; r->cut && k < r->n_links && st == IL_OK; k++) {
         const il_joint *other = &d->joint[r->link[k]];
         double *cut = side == 0 ? to[*n].to : to[*n].from, *faces = side == 0 ? to[*n].from : to[*n].to;
-        if (other == j || !il_dissection_meet(&r->cutting, own, k, cut, err))
+        bool meet = false;
+        if (other != j)
+            st = il_dissection_meet(&r->cutting, own, k, &meet, cut, err);
+        if (!meet)
             continue;
         nearest_to(il_joint_piece(d, j, 1 - side), il_joint_piece(d, other, 1 - side), faces);
         ++*n;
     }
+    return st;
 }
 
 static il_status find_anchors(const il_division *d, const il_joint *j, il_anchor **anchor, size_t *n, il_error *err)
 {
-    il_error none = IL_ERROR_INIT;
     *n = 0;
     *anchor = il_alloc(d->region[0][j->region[0]].n_links + d->region[1][j->region[1]].n_links, sizeof **anchor);
-    if (!*anchor)
-        return il_fail_nomem(err);
-    for (int side = 0; side < 2; side++)
-        add_anchors(d, j, side, *anchor, n, &none);
-    return none.code == IL_OK ? IL_OK : il_fail_nomem(err);
+    il_status st = *anchor ? IL_OK : il_fail_nomem(err);
+    for (int side = 0; side < 2 && st == IL_OK; side++)
+        st = add_anchors(d, j, side, *anchor, n, err);
+    return st;
 }
 
 static il_status wrap_joint(const il_division *d, il_joint *j, const il_piece *upper, const il_piece *lower, il_error *err)
@@ -134,8 +129,8 @@ il_status il_joint_solve(il_division *d, il_joint *j, il_error *err)
     shift[1] = to[1] - from[1];
     bool ok = il_piece_move(&shifted, upper, shift[0], shift[1]);
     if (ok) {
-        extend(box, lower);
-        extend(box, &shifted);
+        il_frame_extend(box, lower->xy, lower->n);
+        il_frame_extend(box, shifted.xy, shifted.n);
     }
     il_frame frame = ok ? il_frame_over(box) : (il_frame){ 0 };
     ok = ok && in_cells(&frame, lower, &cells[0]) && in_cells(&frame, &shifted, &cells[1]);

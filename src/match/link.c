@@ -142,12 +142,6 @@ static bool note_link(linker *l, uint32_t lower, uint32_t upper)
     return true;
 }
 
-/* Do the closed edges have a point in common?  Their boxes do. */
-static bool meet(const double *a, const double *b, const double *c, const double *d)
-{
-    return il_orientation(a, b, c) * il_orientation(a, b, d) <= 0 && il_orientation(c, d, a) * il_orientation(c, d, b) <= 0;
-}
-
 static il_status link_meeting(linker *l, il_error *err)
 {
     const edges *e = l->side;
@@ -157,7 +151,7 @@ static il_status link_meeting(linker *l, il_error *err)
     uint32_t last[2] = { UINT32_MAX, UINT32_MAX };
     for (size_t i = 0; st == IL_OK && i < n; i++) {
         uint32_t p = pair[2 * i], q = pair[2 * i + 1], ring[2] = { e[0].ring_of[p], e[1].ring_of[q] };
-        if ((ring[0] == last[0] && ring[1] == last[1]) || !meet(e[0].a[p], e[0].b[p], e[1].a[q], e[1].b[q]))
+        if ((ring[0] == last[0] && ring[1] == last[1]) || !il_edges_meet(e[0].a[p], e[0].b[p], e[1].a[q], e[1].b[q]))
             continue;
         memcpy(last, ring, sizeof last);
         if (!note_link(l, ring[0], ring[1]))

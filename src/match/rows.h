@@ -8,6 +8,7 @@ typedef struct il_rows {
     il_course_row *row;      size_t n, cap;
 } il_rows;
 
+/* Append the row of place (VERTEX, T) that lies at P; rows rise.  False without memory. */
 bool il_rows_add(il_rows *r, uint32_t vertex, double t, const double p[2]);
 
 /* A map of the plane, APPLY(CONTEXT, p), that is straight to within what is asked for or not.

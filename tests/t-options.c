@@ -62,6 +62,28 @@ static void the_first_operand_alone_can_be_a_verb(void **state)
     il_options_free(&o);
 }
 
+static void between_is_a_number_or_auto(void **state)
+{
+    (void)state;
+    char buf[400];
+    il_options o;
+    il_error err;
+    static const struct { const char *line; int between; } c[] = {
+        { "x", IL_BETWEEN_AUTO }, { "--between 4 x", 4 }, { "--between=64 x", 64 }, { "--between 0 x", 0 },
+        { "--no-between x", 0 }, { "--between 3 --between auto x", IL_BETWEEN_AUTO } };
+    for (size_t k = 0; k < sizeof c / sizeof *c; k++) {
+        assert_int_equal(PARSE(o, c[k].line), IL_OK);
+        assert_int_equal(o.between, c[k].between);
+        il_options_free(&o);
+    }
+    static const char *const wrong[] = { "--between", "--between 65 x", "--between -1 x", "--between 1.5 x", "--between= x",
+                                         "match --between 1" };
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+        assert_int_equal(PARSE(o, wrong[k]), IL_E_USAGE);
+        il_options_free(&o);
+    }
+}
+
 static void keyhole_has_a_value_and_can_be_taken_back(void **state)
 {
     (void)state;
@@ -241,6 +263,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(operands_and_options_stand_in_any_order),
         cmocka_unit_test(the_first_operand_alone_can_be_a_verb),
+        cmocka_unit_test(between_is_a_number_or_auto),
         cmocka_unit_test(keyhole_has_a_value_and_can_be_taken_back),
         cmocka_unit_test(every_switch_can_be_taken_back),
         cmocka_unit_test(the_format_follows_the_name_unless_t_gives_it),

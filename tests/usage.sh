@@ -28,7 +28,7 @@ for word in --help --formats --version; do echo $word; done | sort -u - told | g
 sort -u known | grep -v -x -e --no- >known.all
 holds "help and manual know the same options" diff known.all told.all
 
-for line in "--frame - x" "--gap close x" "--thickness 0 x" "--matcher x y" "plot x -o y.png" "plot x -t stl" "x -o y.zip" \
+for line in "--frame - x" "--gap close x" "--thickness 0 x" "--between 65 x" "--between -1 x" "--between x y" "read --between 4 x" "--matcher x y" "plot x -o y.png" "plot x -t stl" "x -o y.zip" \
     "mesh --spacing 3 x" "-t nonsense x" "x --threads 0" "- -" "--pieces many x" "--pieces" "read --pieces few x" "--links - -" \
     "mesh --links l --matcher none x" "match x -o y --links-out y" "info --links-out l x" "plot --links l x" "--list --links-out l x"; do
     # shellcheck disable=SC2086 # words of a line

@@ -197,6 +197,18 @@ static il_status set_cap(il_options *o, const char *value, bool on, il_error *er
     return IL_OK;
 }
 
+static il_status set_between(il_options *o, const char *value, bool on, il_error *err)
+{
+    size_t n = 0;
+    o->between = IL_BETWEEN_AUTO;
+    if (on && strcmp(value, "auto") == 0)
+        return IL_OK;
+    if (on && parse_count(value, 0, IL_BETWEEN_MOST, &n, "--between", NULL) != IL_OK)
+        return il_fail(err, IL_E_USAGE, 0, "--between is auto or a whole number from 0 to %d, not '%.40s'", IL_BETWEEN_MOST, value);
+    o->between = (int)n;
+    return IL_OK;
+}
+
 static il_status set_gap(il_options *o, const char *value, bool on, il_error *err)
 {
     static const char *const words[] = { [IL_GAPS_BRIDGE] = "bridge", [IL_GAPS_CAP] = "cap", [IL_GAPS_FAIL] = "fail" };
@@ -555,6 +567,8 @@ const il_option il_option_table[] = {
       NULL, "maps: the middle goes to 0, 0; default for STL", set_recentre },
     { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
       "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
+    { 0, "between", "N|auto", IL_OPTION_VALUE_OR_NO, LOFTERS,
+      NULL, "contours in each slab; of maps: with -t loft", set_between },
     { 0, "gap", "bridge|cap|fail", IL_OPTION_VALUE, STREAMS,
       NULL, "what missing slices leave: joined or closed", set_gap },
     { 0, "thickness", "T", IL_OPTION_VALUE, STREAMS,

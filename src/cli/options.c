@@ -10,7 +10,7 @@
 
 void il_options_init(il_options *o)
 {
-    *o = (il_options){ .action = IL_ACTION_RUN, .verb = IL_VERB_CONVERT, .cap = IL_CAP_FLAT,
+    *o = (il_options){ .action = IL_ACTION_RUN, .verb = IL_VERB_CONVERT, .cap = IL_CAP_FLAT, .between = IL_BETWEEN_AUTO,
                        .matcher = IL_MATCHER_FFD, .progress = IL_WHEN_AUTO };
     o->read = (il_read_options)IL_READ_OPTIONS_INIT;
     o->relief.placement = (il_placement_options)IL_PLACEMENT_OPTIONS_INIT;

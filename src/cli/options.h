@@ -52,6 +52,7 @@ typedef struct il_options {
     bool has_keyhole;
     double keyhole;             /* tolerance in the unit of the stacks, 0: off */
     il_cap cap;
+    int between;                /* IL_BETWEEN_AUTO, or from 0 to IL_BETWEEN_MOST */
     il_gap_mode gap;
     double thickness;
     il_relief_options relief;   /* threads and what comes of the formats and of --frame's file: see pipeline.c */

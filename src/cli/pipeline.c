@@ -180,6 +180,7 @@ static il_status build_surfaces(pipeline *p, il_mesh_sink *meshes, il_error *err
     il_loft_options l = IL_LOFT_OPTIONS_INIT;
     l.threads = threads_of(o);
     l.cap = o->cap;
+    l.between = o->between;
     l.round_float = o->to && o->to->round_float;
     l.progress = il_account_progress;
     l.progress_self = p->account;

@@ -7,18 +7,23 @@
 
 typedef enum il_cap { IL_CAP_FLAT, IL_CAP_DOME } il_cap;
 
+/* How many contours are put between two slices: as many as the surface needs, or a number
+ * up to the most that may be asked for. */
+enum { IL_BETWEEN_AUTO = -1, IL_BETWEEN_MOST = 64 };
+
 /* threads: at least 1; the mesh is the same for any number.  cap: how the first
  * and last slice are closed, and those at gaps.  round_float: positions are rounded to 32-bit
- * floats before they are certified (STL). */
+ * floats before they are certified (STL).  between: contours put into each slab. */
 typedef struct il_loft_options {
     int threads;
     il_cap cap;
     bool round_float;
+    int between;
     void (*progress)(void *self, size_t slabs_done); /* may be null; called on the caller's thread */
     void *progress_self;
 } il_loft_options;
 
-#define IL_LOFT_OPTIONS_INIT { 1, IL_CAP_FLAT, false, NULL, NULL }
+#define IL_LOFT_OPTIONS_INIT { 1, IL_CAP_FLAT, false, IL_BETWEEN_AUTO, NULL, NULL }
 
 /* At most this many slices are held, with their pairs and slabs; beside them the
  * last one, until it is known what joins it to the one before, and with domes the

@@ -9,7 +9,7 @@
 enum { SWEEPS = 24, SWEEPS_COARSEST = 200, COARSEST = 8 };
 
 /* The weight of a line against bending, which is 20 at a node, and how far each step overshoots. */
-static const double WEIGHT = 100, OVERSHOOT = 1.5;
+static const double WEIGHT = 300, OVERSHOOT = 1.7;
 
 /* Nodes that take part, those whose neighbours two steps about all do, and those on edges that
  * are held. */

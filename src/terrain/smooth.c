@@ -6,13 +6,12 @@
 
 #include <math.h>
 
-/* A band at least so many steps wide takes the plate, one of so many less the straight law. */
-static const double WIDE = 1.5, NARROW = 0.5;
-/* How far from a line, in steps, the plate is still moved by what it misses that by. */
-static const double REACH = 2;
-/* The steepest start at a line, in mean slopes of the band: what keeps a cubic monotone (Fritsch and
- * Carlson 1980). */
-static const double STEEPEST = 3;
+/* How far from a line, in steps, the plate is still moved by what it misses that by: where several
+ * lines pass between two nodes, it cannot meet all. */
+static const double REACH = 8;
+/* The steepest start at a line, in mean slopes of the band: heights are then those of the lines at
+ * the lines, whatever the plate has there.  3 keeps a cubic monotone, but is too little above cliffs. */
+static const double STEEPEST = 10;
 /* The least part of a band that a point half a width away from a line keeps from it, for a plate that
  * lies on its bound. */
 static const double APART = 0.02;
@@ -95,12 +94,10 @@ static double miss(const il_smooth *s, const feet *f, int side, double bound)
     return isnan(z) ? 0 : (1 - d / reach) * (z - bound);
 }
 
-/* Both distances are known: the plate as far as the field is finer than the lines. */
-static double between(const il_smooth *s, const feet *f, double u)
+/* Both distances are known. */
+static double between(const feet *f, double u)
 {
     double w = f->distance[0] + f->distance[1], t = w > 0 ? f->distance[0] / w : 0.5;
-    double share = fmin(fmax((w / s->field.step - NARROW) / (WIDE - NARROW), 0), 1);
-    u = t + share * (u - t);
     return fmax(fmin(u, STEEPEST * t), 1 - STEEPEST * (1 - t));
 }
 
@@ -120,7 +117,7 @@ double il_smooth_height(const il_smooth *s, uint32_t face, double x, double y, d
     z -= miss(s, &f, 0, bound[0]) + miss(s, &f, 1, bound[1]);
     double u = fmin(fmax((z - bound[0]) / (bound[1] - bound[0]), 0), 1);
     if (isfinite(f.distance[0]) && isfinite(f.distance[1]))
-        u = between(s, &f, u);
+        u = between(&f, u);
     double far = fmin(*nearest / field->width, 0.5);
     u = fmin(fmax(u, 2 * APART * far), 1 - 2 * APART * far);
     return bound[0] + il_mean_in_band(u, s->spread * far) * (bound[1] - bound[0]);

@@ -24,11 +24,10 @@ il_status il_smooth_build(il_smooth *s, const il_tin *t, const il_chart *c, cons
                           il_error *err);
 
 /* The height at the mesh's (x, y) in FACE; *NEAREST: how far the nearest line is, in the plane of
- * the field.  STRAIGHT: of the straight law, where lines are denser than the field.  NAN where the field
- * knows nothing of that face.
+ * the field.  NAN where no node of the field about it lies in that face, as lines are denser there.
  *
- * Let u in [0, 1] be the plate's height in the band, corrected by what it misses the nearest places of both lines
- * by, as far as two steps from each.  Its mean in the band is taken with the
+ * Let u in [0, 1] be the plate's height in the band, less what it misses the nearest places of both
+ * lines by, which fades away from each.  Its mean in the band (terrain/mean.h) is taken with the
  * spread s = spread min(d / width, 1/2), d the distance to the nearest line: a plate is the likeliest
  * surface, but between two levels a mean lies nearer to the middle than that, the more so the
  * farther the lines are. */

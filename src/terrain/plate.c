@@ -15,8 +15,8 @@ static double level_z(const il_chart *c, int32_t k, int32_t every)
         return c->level_z[k];
     if (last == 0)
         return c->level_z[0] + (k < 0 ? -1 : 1);
-    double share = (double)every / e;
-    return k < 0 ? c->level_z[0] - share * (c->level_z[e] - c->level_z[0]) : c->level_z[last] + share * (c->level_z[last] - c->level_z[last - e]);
+    double share = (double)every / e, end = c->level_z[k < 0 ? 0 : last];
+    return k < 0 ? end - share * (c->level_z[e] - end) : end + share * (end - c->level_z[last - e]);
 }
 
 void il_plate_bounds(const il_chart *c, il_band b, int32_t every, double bound[2])

@@ -44,6 +44,20 @@ typedef struct feet {
     double at[2][2], distance[2];
 } feet;
 
+/* Of the lines through the cell whose first node that is. */
+static void look_in_cell(const il_field *f, size_t cell, uint32_t face, double x, double y, double best[2], uint32_t line[2])
+{
+    for (uint32_t k = f->first[cell]; k < f->first[cell + 1]; k++) {
+        const il_field_line *l = &f->line[f->through[k]];
+        for (int side = 0; side < 2; side++) {
+            double t, d = l->face[side] == face ? il_field_distance2(f, f->through[k], x, y, &t) : INFINITY;
+            size_t way = !l->above[side];
+            if (d < best[way])
+                best[way] = d, line[way] = f->through[k];
+        }
+    }
+}
+
 /* Of those near the nodes about (x, y) that lie in FACE; false without such nodes. */
 static bool find_feet(const il_field *f, uint32_t face, double x, double y, feet *out)
 {
@@ -68,6 +82,7 @@ static bool find_feet(const il_field *f, uint32_t face, double x, double y, feet
                 best[side] = d, line[side] = e;
         }
     }
+    look_in_cell(f, first, face, x, y, best, line);
     for (int side = 0; side < 2; side++) {
         double t = 0;
         out->distance[side] = sqrt(best[side]);

@@ -173,15 +173,28 @@ typedef enum il_pieces_mode {
     IL_PIECES_OVERLAP = 2
 } il_pieces_mode;
 
+/* How the ground runs between isolines.  MEAN: as a plate that bends between them lets expect, held in its
+ * band.  PLATE: as that plate itself, smoother and a little farther off.  STRAIGHT: evenly from line
+ * to line. */
+typedef enum il_ground_law {
+    IL_GROUND_MEAN     = 0,
+    IL_GROUND_PLATE    = 1,
+    IL_GROUND_STRAIGHT = 2
+} il_ground_law;
+
 /* Maps of isolines.  hull: they end at the convex hull of their lines, not at the box.
  * solid: closed with walls and a floor, has_base: at the height base of the map, else a
  * little below the lowest point.  z_scale: heights are exaggerated so many times, 0: not.
  * fit: the longer side of the frame becomes as many mm, 0: nothing is scaled.  recentre:
  * the middle goes to 0, 0 and a solid's floor to z = 0; 0: for STL, as 32-bit floats would
- * cost up to 0.7 m, 1: always, -1: never. */
+ * cost up to 0.7 m, 1: always, -1: never.  spread, up to 10: how far, in intervals, ground under
+ * IL_GROUND_MEAN strays from the plate half a width of a band from its lines, times two; 0: measured
+ * from the lines. */
 typedef struct il_map_settings {
     int hull, solid, has_base, recentre;
     double base, z_scale, fit;
+    il_ground_law law;
+    double spread;
 } il_map_settings;
 
 /* All 0 is what the program does without options.  threads: 0 is one a

@@ -289,11 +289,11 @@ static void terrain_becomes_a_solid_of_the_size_asked_for(void **state)
     il_from from = from_text(hill);
     il_solids s = IL_SOLIDS_INIT;
     il_error err = IL_ERROR_INIT;
-    const il_settings settings = { .map = { .solid = 1, .has_base = 1, .base = 5, .recentre = 1, .fit = 120, .z_scale = 2 } };
+    const il_settings settings = { .map = { .solid = 1, .has_base = 1, .base = -5, .recentre = 1, .fit = 120, .z_scale = 2 } };
     assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &settings, &err), IL_OK);
     const il_solid *h = &s.solid[0];
     assert_true(!h->is_open && h->genus == 0 && h->volume > 120 * 120 * 20);
-    assert_true(h->offset[0] == 1030 && h->offset[1] == 30 && h->offset[2] == 5 && h->scale[0] == 0.5 && h->scale[2] == 0.25);
+    assert_true(h->offset[0] == 1030 && h->offset[1] == 30 && h->offset[2] == -5 && h->scale[0] == 0.5 && h->scale[2] == 0.25);
     double low = 1e9, left = 1e9, right = -1e9;
     for (size_t i = 0; i < h->n_vertices; i++) {
         low = fmin(low, h->xyz[3 * i + 2]);
@@ -302,7 +302,8 @@ static void terrain_becomes_a_solid_of_the_size_asked_for(void **state)
     }
     assert_true(low == 0 && left == -60 && right == 60);
     il_solids_free(&s);
-    const il_settings bad[] = { { .map = { .fit = -1 } }, { .map = { .z_scale = NAN } }, { .map = { .base = INFINITY } } };
+    const il_settings bad[] = { { .map = { .fit = -1 } }, { .map = { .z_scale = NAN } }, { .map = { .base = INFINITY } },
+                                { .map = { .law = (il_ground_law)3 } }, { .map = { .spread = -1 } } };
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
         assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &bad[k], &err), IL_E_USAGE);
 }

@@ -173,6 +173,7 @@ static void what_makes_no_sense_is_a_usage_error(void **state)
         "info x --ras", "match --ras", "mesh --ras", "x --roi", "x --no-roi", "check x --roi y",
         "x --base 3", "x --solid --base x", "x --solid --base 1e15", "x --solid --base=", "read x --solid", "match --fit 1",
         "x --fit 0", "x --fit -3", "x --fit 3deg", "x --fit mm", "x --fit 3mmm", "x --fit=", "x --fit 1e15", "x --z-scale 0",
+        "x --law", "x --law flat", "x --spread -1", "x --spread 11", "x --spread=", "x --law plate --spread 1", "read x --law mean",
         "x --z-scale -1", "x --z-scale x", "x --z-scale 3x", "plot --solid", "check x --recentre", "match --high left" };
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         if (PARSE(o, lines[k]) != IL_E_USAGE)

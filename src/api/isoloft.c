@@ -80,6 +80,8 @@ static il_status check_call(work *w, il_error *err)
     const il_map_settings *m = &w->settings.map;
     if (!(m->fit >= 0 && m->fit < 1e15) || !(m->z_scale >= 0 && m->z_scale < 1e15) || !(m->base > -1e15 && m->base < 1e15))
         return il_fail(err, IL_E_USAGE, 0, "fit and z_scale of maps must be positive, or 0 for none, and base a height");
+    if ((unsigned)m->law > IL_GROUND_STRAIGHT || !(m->spread >= 0 && m->spread <= 10))
+        return il_fail(err, IL_E_USAGE, 0, "the ground of maps follows no such law");
     if ((unsigned)w->settings.gaps > IL_GAPS_FAIL)
         return il_fail(err, IL_E_USAGE, 0, "gaps are treated in no way number %d", (int)w->settings.gaps);
     if ((unsigned)w->settings.pieces > IL_PIECES_OVERLAP)
@@ -245,6 +247,7 @@ static il_status build_relief(work *w, bool rounds, il_error *err)
     o.placement = (il_placement_options){ .fit = m->fit, .z_scale = m->z_scale > 0 ? m->z_scale : 1,
                                           .recentre = m->recentre > 0 || (m->recentre == 0 && rounds), .solid = m->solid,
                                           .has_base = m->has_base, .round_float = rounds, .base = m->base };
+    o.law = (il_law_options){ (il_law_kind)m->law, m->spread > 0, m->spread };
     il_status st = il_relief_new(&w->relief, &o, &w->tally.sink, w->lofter, &w->report, err);
     if (st == IL_OK)
         il_lofter_number_by(w->lofter, il_relief_stack(w->relief));

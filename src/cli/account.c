@@ -311,6 +311,7 @@ static void take_placement(il_account *a, const il_stack_head *head)
 {
     il_stack_account *s = current(a);
     s->frame = a->options.frame;
+    s->law = a->options.law;
     s->mesh_unit = head->unit;
     s->placement = (il_placement){ { 0, 0, 0 }, { 1, 1, 1 }, s->unit };
     if (head->has_placement)

@@ -15,6 +15,7 @@
 #include "model/sink.h"
 #include "model/spacing.h"
 #include "terrain/frame.h"
+#include "terrain/law.h"
 
 /* Two neighbouring slices much farther apart than is usual in their stack, or with
  * a gap record.  capped: nothing joins them. */
@@ -34,7 +35,7 @@ typedef struct il_gap {
  * has_mesh: facts were given, so the surface is certified.  file: what it was
  * written to in a folder, or null.  error: one line, null unless it failed.
  * is_terrain: its slices are levels, and its rings lines; terrain tells of them, and
- * there are no gaps and no sections.  links: where its slices were matched.  frame, mesh_unit, placement: of its mesh. */
+ * there are no gaps and no sections.  links: where its slices were matched.  frame, law, mesh_unit, placement: of its mesh. */
 typedef struct il_stack_account {
     char *name, *type, *algorithm, *frame_uid, *file, *error;
     const char *planes;
@@ -54,6 +55,7 @@ typedef struct il_stack_account {
     il_report report;
     il_mesh_facts facts;
     il_frame_kind frame;
+    il_law_kind law;
     il_unit mesh_unit;
     il_placement placement;
     il_status status;
@@ -64,12 +66,13 @@ typedef struct il_stack_account {
  * run without any stack is no failure.  input: the name for errors that know
  * none, null when there are several.  note_on_solids, note_on_terrain: a sentence that each
  * stack of that kind gets, or null.  no_unit: what is written says nothing of the unit,
- * which meshes of maps in metres are told.  frame: of maps.  file_of: names the file of the stack that
+ * which meshes of maps in metres are told.  frame, law: of maps.  file_of: names the file of the stack that
  * has just ended, null when there is none. */
 typedef struct il_account_options {
     bool keep_going, strict, empty_allowed;
     bool no_unit;
     il_frame_kind frame;
+    il_law_kind law;
     const char *input, *note_on_solids, *note_on_terrain;
     il_voice *voice;
     const char *(*file_of)(void *self);

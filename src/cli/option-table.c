@@ -312,6 +312,29 @@ static il_status set_frame(il_options *o, const char *value, bool on, il_error *
     return IL_OK;
 }
 
+static il_status set_law(il_options *o, const char *value, bool on, il_error *err)
+{
+    static const char *const names[] = { "mean", "plate", "straight" };
+    (void)on;
+    for (int k = 0; k < 3; k++)
+        if (strcmp(value, names[k]) == 0) {
+            o->relief.law.kind = (il_law_kind)k;
+            return IL_OK;
+        }
+    return il_fail(err, IL_E_USAGE, 0, "--law is mean, plate or straight, not '%.40s'", value);
+}
+
+static il_status set_spread(il_options *o, const char *value, bool on, il_error *err)
+{
+    size_t n = strlen(value);
+    double *spread = &o->relief.law.spread;
+    (void)on;
+    o->relief.law.has_spread = strcmp(value, "auto") != 0;
+    if (!o->relief.law.has_spread || (n > 0 && il_number_parse(value, n, spread) == n && *spread >= 0 && *spread <= 10))
+        return IL_OK;
+    return il_fail(err, IL_E_USAGE, 0, "--spread is auto or a number from 0 to 10, not '%.40s'", value);
+}
+
 static il_status set_solid(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)value;
@@ -558,6 +581,10 @@ const il_option il_option_table[] = {
       NULL, "maps: join ends no farther apart; else 0", set_join },
     { 0, "frame", "FILE", IL_OPTION_VALUE, LOFTERS,
       NULL, "maps: where they end: bbox, hull or an outline", set_frame },
+    { 0, "law", "NAME", IL_OPTION_VALUE, LOFTERS,
+      NULL, "maps: ground as mean (default), plate, straight", set_law },
+    { 0, "spread", "K|auto", IL_OPTION_VALUE, LOFTERS,
+      NULL, "maps: how far it strays from a plate; 0: not", set_spread },
     { 0, "solid", NULL, IL_OPTION_SWITCH, LOFTERS,
       "maps: a closed solid; --fit 150mm: to print", "maps: a closed solid, with walls and a floor", set_solid },
     { 0, "base", "H", IL_OPTION_VALUE, LOFTERS,

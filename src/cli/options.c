@@ -217,6 +217,8 @@ static il_status settle_relief(il_options *o, il_error *err)
         p->recentre = p->round_float;
     if (p->has_base && !p->solid)
         return il_fail(err, IL_E_USAGE, 0, "--base is the floor of a solid, which --solid asks for");
+    if (o->relief.law.kind != IL_LAW_MEAN && o->relief.law.has_spread)
+        return il_fail(err, IL_E_USAGE, 0, "--spread is that of --law mean: the others have none");
     o->relief.high = o->read.map.high;
     return IL_OK;
 }

@@ -107,6 +107,8 @@ static const struct { const char *option, *what, *format; bool any_map; } meanin
     { "layer", "DXF drawings", "dxf", false },
     { "join", "isolines", "loft", true },
     { "frame", "isolines", "loft", true },
+    { "law", "isolines", "loft", true },
+    { "spread", "isolines", "loft", true },
     { "solid", "isolines", "loft", true },
     { "base", "isolines", "loft", true },
     { "z-scale", "isolines", "loft", true },
@@ -487,6 +489,7 @@ static const char *note_on_solids(const il_options *o)
 {
     static const option_note c[] = {
         { "frame", "--frame is for terrain, which this is not" },
+        { "law", "--law is for terrain, which this is not" }, { "spread", "--spread is for terrain, which this is not" },
         { "solid", "--solid is for terrain, which this is not" }, { "z-scale", "--z-scale is for terrain, which this is not" },
         { "fit", "--fit is for terrain, which this is not" }, { "recentre", "--recentre is for terrain, which this is not" },
         { "high", "--high is for terrain, which this is not" } };
@@ -513,7 +516,8 @@ il_status il_pipeline_run(il_result *result, const il_options *o, const il_plan 
     bool folder = o->output && il_destination_is_folder(o->output);
     il_account_options a = { .keep_going = plan->survey || folder, .strict = o->strict, .voice = voice,
                              .no_unit = plan->loft && !plan->survey && o->to->round_float,
-                             .frame = o->relief.frame.kind, .note_on_solids = note_on_solids(o), .note_on_terrain = note_on_terrain(o),
+                             .frame = o->relief.frame.kind, .law = o->relief.law.kind,
+                             .note_on_solids = note_on_solids(o), .note_on_terrain = note_on_terrain(o),
                              .input = o->n_inputs == 0 ? "-" : o->n_inputs == 1 ? o->input[0] : NULL };
     il_account_init(&result->account, &a);
     il_status st = run(&p, err);

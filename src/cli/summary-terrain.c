@@ -143,6 +143,16 @@ void il_summary_say_placement(const il_stack_account *s, const char *label, il_v
                           il_unit_name(s->placement.unit));
 }
 
+static const char *const laws[] = { [IL_LAW_MEAN] = "mean", [IL_LAW_PLATE] = "plate", [IL_LAW_STRAIGHT] = "straight" };
+
+void il_summary_say_heights(const il_stack_account *s, const char *label, il_voice *v)
+{
+    const il_mesh_facts *f = &s->facts;
+    if (s->has_mesh && f->step > 0)
+        il_message_detail(v, "%s: heights by a plate on a grid of %.3g %s, spread %.3g", label, f->step,
+                          il_unit_name(s->mesh_unit), f->spread);
+}
+
 void il_summary_surface_rows(const il_stack_account *s, il_output *out)
 {
     const il_mesh_facts *f = &s->facts;
@@ -220,6 +230,10 @@ static void put_surface(const il_stack_account *s, il_json *j)
     il_json_key(j, "frame");
     il_json_string(j, frames[s->frame]);
     put_count(j, "faces", s->facts.faces);
+    il_json_key(j, "law");
+    il_json_string(j, laws[s->law]);
+    put_number(j, "step", s->facts.step, s->facts.step > 0);
+    put_number(j, "spread", s->facts.spread, s->facts.step > 0);
     il_json_key(j, "unit");
     il_json_string(j, il_unit_name(s->mesh_unit));
     put_numbers(j, "offset", s->placement.offset, 3, true);

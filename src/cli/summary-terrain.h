@@ -11,6 +11,9 @@ void il_summary_terrain_rows(const il_stack_account *s, il_output *out);
 /* Rows of the mesh that was made of it: what it is, where it was put. */
 void il_summary_surface_rows(const il_stack_account *s, il_output *out);
 
+/* On standard error, how its heights were found. */
+void il_summary_say_heights(const il_stack_account *s, const char *label, il_voice *v);
+
 /* The same of its place, on standard error. */
 void il_summary_say_placement(const il_stack_account *s, const char *label, il_voice *v);
 

@@ -315,8 +315,10 @@ static void say_stack(const il_stack_account *s, const char *label, il_voice *v)
                           f->vertices, f->triangles, f->components, f->components == 1 ? "" : "s", f->genus);
         il_message_detail(v, "%s: area %.6g %s^2, volume %.6g %s^3", label, f->area, unit, f->volume, unit);
     }
-    if (s->has_mesh && s->is_terrain)
+    if (s->has_mesh && s->is_terrain) {
+        il_summary_say_heights(s, label, v);
         il_summary_say_placement(s, label, v);
+    }
     if (s->file)
         il_message_detail(v, "%s: written to %s", label, s->file);
 }

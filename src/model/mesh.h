@@ -38,6 +38,7 @@ typedef struct il_mesh_facts {
     size_t pinches;          /* vertices or edges where the input touches itself, split */
     long components, genus;
     double volume, area;     /* unit^3, unit^2 */
+    double step, spread;     /* of the field and the law of a map's heights (terrain/smooth.h); 0 where there is none */
     /* of the contours, each in both of its slabs, unit: by the attempts that
      * settled them, and of those without a partner in the slab's other slice */
     double length_by[IL_N_ATTEMPTS], length_alone;

@@ -202,10 +202,17 @@ static il_status find_bands(il_ground *g, il_error *err)
 
 /* ---- heights --------------------------------------------------------------------- */
 
+/* How much longer a unit of y is than one of x: of degrees, in the middle of the map. */
+static double east_of(const il_ground *g)
+{
+    static const double DEGREE = 0.017453292519943295, LEAST = 0.01;
+    return g->unit == IL_UNIT_DEG ? fmax(cos((g->frame.box[1] + g->frame.box[3]) / 2 * DEGREE), LEAST) : 1;
+}
+
 static il_status build_law(il_ground *g, il_error *err)
 {
     il_law_free(&g->law);
-    return il_law_build(&g->law, &g->tin, &g->chart, g->bands.band, err);
+    return il_law_build(&g->law, &g->tin, &g->chart, g->bands.band, east_of(g), err);
 }
 
 static il_status judge_spots(il_ground *g, il_error *err)
@@ -245,6 +252,10 @@ static il_status find_heights(il_ground *g, il_error *err)
     il_status st = il_rim_raise(&g->chart) ? build_law(g, err) : il_fail_nomem(err);
     if (st == IL_OK)
         st = draw_missing(g, err);
+    if (st == IL_OK)
+        st = il_law_bend(&g->law, &g->tin, &g->options->law, err);
+    if (st == IL_OK && g->options->law.kind != IL_LAW_STRAIGHT)
+        il_rim_lower(&g->chart);
     if (st == IL_OK)
         st = il_ridge_insert(&g->tin, &g->chart, &g->law, &g->options->placement, err);
     if (st == IL_OK)

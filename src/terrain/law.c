@@ -1,6 +1,7 @@
 #include "config.h"
 #include "terrain/law.h"
 #include "base/alloc.h"
+#include "terrain/mean.h"
 
 #include <math.h>
 
@@ -94,7 +95,7 @@ double il_law_interval(const il_law *l, uint32_t face)
  * levels the top is. */
 static double dome(double t)
 {
-    return 0.5 * (1 - exp(-2 * t));
+    return 0.5 * (1 - il_mean_exp(-2 * t));
 }
 
 /* WIDTHS above the line of level BELOW, with no other above: a dome, or, if a line is missing
@@ -125,15 +126,15 @@ static double nearest_line(const il_law *l, uint32_t face, size_t upper, double 
 {
     il_band b = l->band[face];
     il_nearest_place near;
-    if (!il_nearest_point(&l->borders, 2 * (size_t)face + upper, x, y, &near))
+    if (!il_nearest_point(&l->borders, 2 * (size_t)face + upper, x * l->east, y, &near))
         return INFINITY;
     *level = l->chart->height[near.id];
     *level = *level < b.low ? b.low : *level > b.high ? b.high : *level;
     return near.distance;
 }
 
-/* Between the lines alone; *NEAREST: how far the nearest of them is. */
-static double height_of_lines(const il_law *l, uint32_t face, double x, double y, double *nearest)
+/* By the straight law; *NEAREST: how far the nearest line is. */
+static double straight_height(const il_law *l, uint32_t face, double x, double y, double *nearest)
 {
     const il_chart *c = l->chart;
     int32_t below = 0, above = 0;
@@ -143,8 +144,15 @@ static double height_of_lines(const il_law *l, uint32_t face, double x, double y
         double t = low + high > 0 ? low / (low + high) : 0.5;
         return c->level_z[below] + t * (c->level_z[above] - c->level_z[below]);
     }
-    double widths = l->width[face] > 0 ? *nearest / l->width[face] : INFINITY;
+    double width = l->width[face] > 0 ? l->width[face] : l->smooth.field.width, widths = width > 0 ? *nearest / width : INFINITY;
     return low <= high ? rise_from(l, face, below, widths) : sink_from(l, face, above, widths);
+}
+
+/* Between the lines alone. */
+static double height_of_lines(const il_law *l, uint32_t face, double x, double y, double *nearest)
+{
+    double z = il_smooth_height(&l->smooth, face, x, y, nearest);
+    return isnan(z) ? straight_height(l, face, x, y, nearest) : z;
 }
 
 /* Keep Z inside the band of FACE, off its levels. */
@@ -165,7 +173,7 @@ double il_law_height(const il_law *l, uint32_t face, double x, double y)
 {
     double to_line = 0, z = height_of_lines(l, face, x, y, &to_line);
     il_nearest_place near;
-    if (!isfinite(to_line) || !il_nearest_point(&l->spots, face, x, y, &near))
+    if (!isfinite(to_line) || !il_nearest_point(&l->spots, face, x * l->east, y, &near))
         return z;
     double share = to_line + near.distance > 0 ? to_line / (to_line + near.distance) : 1;
     return clamp(l, face, z + share * l->excess[near.id]);
@@ -186,7 +194,8 @@ static il_status build_borders(il_law *l, const il_tin *t, il_error *err)
         if (f == IL_CHART_NONE || il_chart_is_frame(c, k / 2))
             continue;
         size_t upper = !il_law_is_above(t, c, l->band, k);
-        s[n++] = (il_segment){ c->xy[2 * v[0]], c->xy[2 * v[0] + 1], c->xy[2 * v[1]], c->xy[2 * v[1] + 1], 2 * (size_t)f + upper, k / 2 };
+        const double *a = c->xy + 2 * (size_t)v[0], *b = c->xy + 2 * (size_t)v[1];
+        s[n++] = (il_segment){ a[0] * l->east, a[1], b[0] * l->east, b[1], 2 * (size_t)f + upper, k / 2 };
     }
     return il_nearest_build(&l->borders, s, n, 2 * t->n_faces, err);
 }
@@ -194,6 +203,8 @@ static il_status build_borders(il_law *l, const il_tin *t, il_error *err)
 /* What each spot has beyond the lines. */
 static il_status build_spots(il_law *l, const il_tin *t, il_error *err)
 {
+    il_nearest_free(&l->spots);
+    il_free(l->excess);
     const il_chart *c = l->chart;
     size_t n = 0, cap = 0;
     il_segment *s = NULL;
@@ -209,7 +220,7 @@ static il_status build_spots(il_law *l, const il_tin *t, il_error *err)
         ok = il_grow(&s, &cap, n + 1, sizeof *s);
         if (!ok)
             break;
-        s[n++] = (il_segment){ x, y, x, y, f, v };
+        s[n++] = (il_segment){ x * l->east, y, x * l->east, y, f, v };
         l->excess[v] = c->node[v].z - height_of_lines(l, f, x, y, &nearest);
     }
     il_free(seen);
@@ -220,9 +231,9 @@ static il_status build_spots(il_law *l, const il_tin *t, il_error *err)
     return il_nearest_build(&l->spots, s, n, t->n_faces, err);
 }
 
-il_status il_law_build(il_law *l, const il_tin *t, const il_chart *c, const il_band *band, il_error *err)
+il_status il_law_build(il_law *l, const il_tin *t, const il_chart *c, const il_band *band, double east, il_error *err)
 {
-    *l = (il_law){ .chart = c, .band = band };
+    *l = (il_law){ .chart = c, .band = band, .east = east };
     if (!find_widths(l, t)) {
         il_law_free(l);
         return il_fail_nomem(err);
@@ -235,8 +246,19 @@ il_status il_law_build(il_law *l, const il_tin *t, const il_chart *c, const il_b
     return st;
 }
 
+il_status il_law_bend(il_law *l, const il_tin *t, const il_law_options *o, il_error *err)
+{
+    double spread = o->kind == IL_LAW_PLATE ? 0 : o->has_spread ? o->spread : NAN;
+    il_smooth_free(&l->smooth);
+    if (o->kind == IL_LAW_STRAIGHT)
+        return IL_OK;
+    il_status st = il_smooth_build(&l->smooth, t, l->chart, l->band, l->east, spread, err);
+    return st == IL_OK ? build_spots(l, t, err) : st;
+}
+
 void il_law_free(il_law *l)
 {
+    il_smooth_free(&l->smooth);
     il_free(l->width);
     il_nearest_free(&l->borders);
     il_nearest_free(&l->spots);

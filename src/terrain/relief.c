@@ -57,6 +57,8 @@ static il_status gather_facts(const il_ground *g, il_mesh_facts *f, il_error *er
     f->vertices = s->n_vertices;
     f->triangles = s->n_triangles;
     f->is_open = isnan(g->floor);
+    f->step = g->law.smooth.z ? g->law.smooth.field.step : 0;
+    f->spread = g->law.smooth.z ? g->law.smooth.spread : 0;
     f->faces = g->tin.n_faces;
     f->slices = g->n_slices;
     f->rings = g->n_lines;

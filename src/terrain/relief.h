@@ -12,12 +12,14 @@
 #include "model/report.h"
 #include "model/sink.h"
 #include "terrain/frame.h"
+#include "terrain/law.h"
 #include "terrain/placement.h"
 
 /* high: of maps with one level, the side of the lines where the ground is higher. */
 typedef struct il_relief_options {
     il_frame_options frame;
     il_placement_options placement;
+    il_law_options law;
     il_side high;
 } il_relief_options;
 

@@ -57,3 +57,10 @@ bool il_rim_raise(il_chart *c)
     il_free(known);
     return ok;
 }
+
+void il_rim_lower(il_chart *c)
+{
+    for (size_t v = 0; v < c->n_nodes; v++)
+        if (c->node[v].is_frame && c->node[v].level < 0 && !c->node[v].is_spot)
+            c->node[v].z = NAN;
+}

@@ -10,4 +10,7 @@
  * memory. */
 bool il_rim_raise(il_chart *c);
 
+/* Take heights of the frame that neither a line nor a spot gives away again, for a law to give. */
+void il_rim_lower(il_chart *c);
+
 #endif

@@ -8,15 +8,12 @@
 
 /* Of a face's grain: how near to others a node may be put.  Of the whole map's mean edge: no face's
  * grain is finer, and no shorter chord is broken, where lines all but meet. */
-static const double NEAREST = 0.25, FINEST = 0.4, CHORD = 0.02;
-
-/* Of the tolerance: what must rise in a face that is flat all over. */
-static const double FLAT_FACE = 0.1;
+static const double NEAREST = 0.25, FINEST = 0.4, CHORD = 0.001;
 
 /* A triangle is looked at in so many steps along its edges, each about two grains long. */
 enum { STEPS_LEAST = 2, STEPS_MOST = 8 };
 
-/* grain[face], and mean, of all edges, the mesh's unit.  is_flat[face]: all of its corners have one height.  queue[n_queue]: triangles to be looked at; is_queued[triangle].
+/* grain[face], and mean, of all edges, the mesh's unit.  queue[n_queue]: triangles to be looked at; is_queued[triangle].
  * tolerance: of the step at hand, in intervals. */
 typedef struct detail {
     il_refine r;
@@ -24,7 +21,6 @@ typedef struct detail {
     const il_placement_options *o;
     double tolerance;
     double *grain, mean;
-    unsigned char *is_flat;
     uint32_t *queue;         size_t n_queue, cap_queue;
     unsigned char *is_queued; size_t n_flags, cap_flags;
 } detail;
@@ -92,26 +88,6 @@ static bool find_grain(detail *d)
     il_free(area2);
     il_free(length);
     il_free(edges);
-    return ok;
-}
-
-/* All of its corners have the height of the first? */
-static bool find_flat(detail *d)
-{
-    const il_tin *t = d->r.t;
-    double *z = il_alloc(t->n_faces, sizeof *z);
-    d->is_flat = il_alloc(t->n_faces, 1);
-    bool ok = z && d->is_flat;
-    for (size_t f = 0; f < t->n_faces && ok; f++)
-        d->is_flat[f] = 1, z[f] = NAN;
-    for (size_t k = 0; k < 3 * t->n && ok; k++) {
-        uint32_t f = t->face[k / 3];
-        if (f == IL_CHART_NONE)
-            continue;
-        z[f] = isnan(z[f]) ? height(d, k) : z[f];
-        d->is_flat[f] &= height(d, k) == z[f];
-    }
-    il_free(z);
     return ok;
 }
 
@@ -247,12 +223,10 @@ static bool break_chord(detail *d, size_t k, bool *done)
         return il_refine_flip(&d->r, k) && add_star(d);
     }
     uint32_t f = face_of(d, k / 3);
-    double least = (d->is_flat[f] ? FLAT_FACE : 1) * d->tolerance * il_law_interval(d->law, f);
+    double least = d->tolerance * il_law_interval(d->law, f);
     if (!(fabs(law_at(d, k / 3, p) - height(d, k)) > least))
         return true;
-    bool ok = put(d, k / 3, SIZE_MAX, p, CHORD / 2 * d->mean, done);
-    d->is_flat[f] &= !*done;
-    return ok;
+    return put(d, k / 3, SIZE_MAX, p, CHORD * d->mean, done);
 }
 
 static bool break_chords(detail *d, size_t triangle)
@@ -358,14 +332,12 @@ il_status il_detail_insert(il_tin *t, il_chart *c, const il_law *law, const il_p
     detail d = { .r = il_refine_begin(t, c), .law = law, .o = o, .tolerance = IL_DETAIL_FLAT };
     bool ok = find_grain(&d);
     raise_rest(&d);
-    ok = ok && find_flat(&d);
     ok = ok && visit_all(&d, break_chords);
     d.tolerance = tolerance;
     if (tolerance > 0)
         ok = ok && visit_all(&d, put_at_worst);
     il_refine_end(&d.r);
     il_free(d.grain);
-    il_free(d.is_flat);
     il_free(d.queue);
     il_free(d.is_queued);
     return ok ? IL_OK : il_fail_nomem(err);

@@ -7,7 +7,7 @@
 /* In intervals: how far the ground may be off the law before a vertex is put there, and how far
  * it must rise or fall from a line to be more than flat. */
 #define IL_DETAIL_USUAL 0.05
-#define IL_DETAIL_FLAT 0.01
+#define IL_DETAIL_FLAT 0.0002
 
 /* Give heights to the nodes of C that lie on no line and are no spots, and put more into T's
  * faces:

@@ -246,7 +246,8 @@ static il_status find_heights(il_ground *g, il_error *err)
     if (st == IL_OK && g->options->law.kind != IL_LAW_STRAIGHT)
         il_rim_lower(&g->chart);
     if (st == IL_OK)
-        st = il_detail_insert(&g->tin, &g->chart, &g->law, &g->options->placement, IL_DETAIL_USUAL, err);
+        st = il_detail_insert(&g->tin, &g->chart, &g->law, &g->options->placement,
+                              g->options->has_detail ? g->options->detail : IL_DETAIL_USUAL, err);
     return st;
 }
 

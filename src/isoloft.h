@@ -189,10 +189,11 @@ typedef enum il_ground_law {
  * the middle goes to 0, 0 and a solid's floor to z = 0; 0: for STL, as 32-bit floats would
  * cost up to 0.7 m, 1: always, -1: never.  spread, up to 10: how far, in intervals, ground under
  * IL_GROUND_MEAN strays from the plate half a width of a band from its lines, times two; 0: measured
- * from the lines. */
+ * from the lines.  detail: how far the mesh may be off the ground between the lines, in intervals;
+ * 0: 0.05, below 0: vertices only where it would be flat. */
 typedef struct il_map_settings {
     int hull, solid, has_base, recentre;
-    double base, z_scale, fit;
+    double base, z_scale, fit, detail;
     il_ground_law law;
     double spread;
 } il_map_settings;

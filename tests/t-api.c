@@ -303,7 +303,8 @@ static void terrain_becomes_a_solid_of_the_size_asked_for(void **state)
     assert_true(low == 0 && left == -60 && right == 60);
     il_solids_free(&s);
     const il_settings bad[] = { { .map = { .fit = -1 } }, { .map = { .z_scale = NAN } }, { .map = { .base = INFINITY } },
-                                { .map = { .law = (il_ground_law)3 } }, { .map = { .spread = -1 } } };
+                                { .map = { .law = (il_ground_law)3 } }, { .map = { .spread = -1 } },
+                                { .map = { .detail = NAN } }, { .map = { .detail = 1.5 } } };
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
         assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &bad[k], &err), IL_E_USAGE);
 }

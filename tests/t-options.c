@@ -173,6 +173,7 @@ static void what_makes_no_sense_is_a_usage_error(void **state)
         "info x --ras", "match --ras", "mesh --ras", "x --roi", "x --no-roi", "check x --roi y",
         "x --base 3", "x --solid --base x", "x --solid --base 1e15", "x --solid --base=", "read x --solid", "match --fit 1",
         "x --fit 0", "x --fit -3", "x --fit 3deg", "x --fit mm", "x --fit 3mmm", "x --fit=", "x --fit 1e15", "x --z-scale 0",
+        "x --detail -.1", "x --detail 1.5", "x --detail nan", "x --detail 5%", "x --detail=", "plot --detail 1",
         "x --law", "x --law flat", "x --spread -1", "x --spread 11", "x --spread=", "x --law plate --spread 1", "read x --law mean",
         "x --z-scale -1", "x --z-scale x", "x --z-scale 3x", "plot --solid", "check x --recentre", "match --high left" };
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
@@ -204,6 +205,13 @@ static void placement_of_maps_depends_on_the_format(void **state)
     assert_true(o.relief.placement.z_scale == 2 && o.relief.placement.fit == 152.4);
     assert_int_equal(o.relief.high, IL_SIDE_RIGHT);
     il_options_free(&o);
+    static const struct { const char *line; bool has; double detail; } details[] = {
+        { "x", false, 0 }, { "x --detail .2", true, .2 }, { "x --detail 0", true, 0 }, { "x --no-detail", true, 0 } };
+    for (size_t k = 0; k < sizeof details / sizeof *details; k++) {
+        assert_int_equal(PARSE(o, details[k].line), IL_OK);
+        assert_true(o.relief.has_detail == details[k].has && o.relief.detail == details[k].detail);
+        il_options_free(&o);
+    }
     static const struct { const char *line; double fit; } fits[] = {
         { "x --fit 150", 150 }, { "x --fit 150mm", 150 }, { "x --fit=15cm", 150 }, { "x --fit .15m", 150 } };
     for (size_t k = 0; k < sizeof fits / sizeof *fits; k++) {

@@ -82,6 +82,8 @@ static il_status check_call(work *w, il_error *err)
         return il_fail(err, IL_E_USAGE, 0, "fit and z_scale of maps must be positive, or 0 for none, and base a height");
     if ((unsigned)m->law > IL_GROUND_STRAIGHT || !(m->spread >= 0 && m->spread <= 10))
         return il_fail(err, IL_E_USAGE, 0, "the ground of maps follows no such law");
+    if (!(m->detail <= 1))
+        return il_fail(err, IL_E_USAGE, 0, "detail of maps must be a part of an interval, 1 at most");
     if ((unsigned)w->settings.gaps > IL_GAPS_FAIL)
         return il_fail(err, IL_E_USAGE, 0, "gaps are treated in no way number %d", (int)w->settings.gaps);
     if ((unsigned)w->settings.pieces > IL_PIECES_OVERLAP)
@@ -243,7 +245,8 @@ static il_status build_lofter(work *w, bool rounds, il_error *err)
 static il_status build_relief(work *w, bool rounds, il_error *err)
 {
     const il_map_settings *m = &w->settings.map;
-    il_relief_options o = { .frame.kind = m->hull ? IL_FRAME_HULL : IL_FRAME_BBOX };
+    il_relief_options o = { .frame.kind = m->hull ? IL_FRAME_HULL : IL_FRAME_BBOX, .has_detail = m->detail != 0,
+                            .detail = m->detail > 0 ? m->detail : 0 };
     o.placement = (il_placement_options){ .fit = m->fit, .z_scale = m->z_scale > 0 ? m->z_scale : 1,
                                           .recentre = m->recentre > 0 || (m->recentre == 0 && rounds), .solid = m->solid,
                                           .has_base = m->has_base, .round_float = rounds, .base = m->base };

@@ -12,6 +12,10 @@ extern "C" {
  * sign is that of the real numbers which the doubles are.  Finite arguments. */
 int il_orientation(const double a[2], const double b[2], const double c[2]);
 
+/* 1 when d is inside the circle through a, b, c, which turn counter-clockwise, -1 outside, 0 on
+ * it; likewise exact. */
+int il_in_circle(const double a[2], const double b[2], const double c[2], const double d[2]);
+
 /* Have the closed edges from A to B and from C to D a point in common?  Exact, but for
  * collinear ones, which count as meeting wherever they lie: callers know that boxes do. */
 static inline bool il_edges_meet(const double a[2], const double b[2], const double c[2], const double d[2])

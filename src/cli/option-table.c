@@ -335,6 +335,18 @@ static il_status set_spread(il_options *o, const char *value, bool on, il_error 
     return il_fail(err, IL_E_USAGE, 0, "--spread is auto or a number from 0 to 10, not '%.40s'", value);
 }
 
+/* More than an interval is no detail: all ground lies inside its band. */
+static il_status set_detail(il_options *o, const char *value, bool on, il_error *err)
+{
+    size_t n = on ? strlen(value) : 0;
+    double *detail = &o->relief.detail;
+    o->relief.has_detail = true;
+    *detail = 0;
+    if (!on || (n > 0 && il_number_parse(value, n, detail) == n && *detail >= 0 && *detail <= 1))
+        return IL_OK;
+    return il_fail(err, IL_E_USAGE, 0, "--detail takes a part of an interval from 0 to 1, not '%.40s'", value);
+}
+
 static il_status set_solid(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)value;
@@ -585,6 +597,8 @@ const il_option il_option_table[] = {
       NULL, "maps: ground as mean (default), plate, straight", set_law },
     { 0, "spread", "K|auto", IL_OPTION_VALUE, LOFTERS,
       NULL, "maps: how far it strays from a plate; 0: not", set_spread },
+    { 0, "detail", "TOL", IL_OPTION_VALUE_OR_NO, LOFTERS,
+      NULL, "maps: how near to its law, in intervals: 0.05", set_detail },
     { 0, "solid", NULL, IL_OPTION_SWITCH, LOFTERS,
       "maps: a closed solid; --fit 150mm: to print", "maps: a closed solid, with walls and a floor", set_solid },
     { 0, "base", "H", IL_OPTION_VALUE, LOFTERS,

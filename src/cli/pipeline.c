@@ -109,6 +109,7 @@ static const struct { const char *option, *what, *format; bool any_map; } meanin
     { "frame", "isolines", "loft", true },
     { "law", "isolines", "loft", true },
     { "spread", "isolines", "loft", true },
+    { "detail", "isolines", "loft", true },
     { "solid", "isolines", "loft", true },
     { "base", "isolines", "loft", true },
     { "z-scale", "isolines", "loft", true },
@@ -490,6 +491,7 @@ static const char *note_on_solids(const il_options *o)
     static const option_note c[] = {
         { "frame", "--frame is for terrain, which this is not" },
         { "law", "--law is for terrain, which this is not" }, { "spread", "--spread is for terrain, which this is not" },
+        { "detail", "--detail is for terrain, which this is not" },
         { "solid", "--solid is for terrain, which this is not" }, { "z-scale", "--z-scale is for terrain, which this is not" },
         { "fit", "--fit is for terrain, which this is not" }, { "recentre", "--recentre is for terrain, which this is not" },
         { "high", "--high is for terrain, which this is not" } };

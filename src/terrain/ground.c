@@ -5,10 +5,10 @@
 #include "terrain/cliff.h"
 #include "terrain/complaint.h"
 #include "terrain/crossing.h"
+#include "terrain/detail.h"
 #include "terrain/loose.h"
 #include "terrain/missing.h"
 #include "terrain/proof.h"
-#include "terrain/ridge.h"
 #include "terrain/rim.h"
 #include "terrain/spots.h"
 
@@ -236,17 +236,6 @@ static il_status draw_missing(il_ground *g, il_error *err)
     return st == IL_OK ? build_law(g, err) : st;
 }
 
-/* Of the nodes that still have none, which are the frame's. */
-static void raise_rest(il_ground *g)
-{
-    il_chart *c = &g->chart;
-    for (size_t k = 0; k < 3 * g->tin.n; k++) {
-        uint32_t v = g->tin.corner[k], f = g->tin.face[k / 3];
-        if (f != IL_CHART_NONE && isnan(c->node[v].z))
-            c->node[v].z = il_law_height(&g->law, f, c->xy[2 * (size_t)v], c->xy[2 * (size_t)v + 1]);
-    }
-}
-
 static il_status find_heights(il_ground *g, il_error *err)
 {
     il_status st = il_rim_raise(&g->chart) ? build_law(g, err) : il_fail_nomem(err);
@@ -257,9 +246,8 @@ static il_status find_heights(il_ground *g, il_error *err)
     if (st == IL_OK && g->options->law.kind != IL_LAW_STRAIGHT)
         il_rim_lower(&g->chart);
     if (st == IL_OK)
-        st = il_ridge_insert(&g->tin, &g->chart, &g->law, &g->options->placement, err);
-    if (st == IL_OK)
-        raise_rest(g);
+        st = il_detail_insert(&g->tin, &g->chart, &g->law, &g->options->placement,
+                              g->options->has_detail ? g->options->detail : IL_DETAIL_USUAL, err);
     return st;
 }
 

@@ -15,11 +15,14 @@
 #include "terrain/law.h"
 #include "terrain/placement.h"
 
-/* high: of maps with one level, the side of the lines where the ground is higher. */
+/* high: of maps with one level, the side of the lines where the ground is higher.
+ * has_detail, detail: the tolerance of terrain/detail.h, in intervals, from 0 on; else the usual. */
 typedef struct il_relief_options {
     il_frame_options frame;
     il_placement_options placement;
     il_law_options law;
+    bool has_detail;
+    double detail;
     il_side high;
 } il_relief_options;
 

@@ -65,13 +65,12 @@ static il_status carry(spreading *s, const il_section *section, const il_lean *o
     return st;
 }
 
-/* A cubic whose second derivative vanishes at one end has half the bend of the other there, of
- * the other sign. */
+/* A cubic that is a parabola has the same bend at both ends, of opposite signs. */
 static void carry_back(spreading *s)
 {
     for (size_t v = s->first; v < s->end; v++)
         for (size_t k = 0; k < 3; k++)
-            s->bends->of[6 * v + 3 * s->side + k] = -s->bends->of[6 * v + 3 * (1 - s->side) + k] / 2;
+            s->bends->of[6 * v + 3 * s->side + k] = -s->bends->of[6 * v + 3 * (1 - s->side) + k];
     spread(s);
 }
 

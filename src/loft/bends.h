@@ -16,8 +16,8 @@ void il_bends_free(il_bends *b); /* safe twice */
 
 /* Of S, which leans as lean[side] tells at its sections and, beyond them, the next slabs do as
  * beyond[side] tells.  Known at the contours, bends are carried along the surface: a vertex has
- * the mean of its neighbours'.  Where nothing goes on beyond a section, the curves end as beams
- * do, without curvature. */
+ * the mean of its neighbours'.  Where nothing goes on beyond a section, the curves end as
+ * parabolas. */
 il_status il_bends_find(il_bends *out, const il_surface *s, const il_section *lower, const il_section *upper,
                         const il_lean lean[2], const il_lean beyond[2], il_error *err);
 

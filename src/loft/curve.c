@@ -39,6 +39,16 @@ static void move(const void *self, size_t a, size_t b, double f, double p[3])
     }
 }
 
+/* On a level rather than so near to it that the points of its edges there would be a hair away. */
+static double snap(const curve *c, double z)
+{
+    double near = c->height / (double)(c->n_levels + 1) / 16;
+    for (size_t k = 0; k < c->n_levels; k++)
+        if (fabs(z - c->level[k]) < near)
+            return c->level[k];
+    return z;
+}
+
 /* The inner points as they stand on the straight surface, then each by its slopes. */
 static void raise_inner(curve *c)
 {
@@ -52,7 +62,7 @@ static void raise_inner(curve *c)
         double r0 = fmax(1 + w * b[2], 0), r1 = fmax(1 + w * b[5], 0);
         t = (t * t + r0 * t * (1 - t)) / (1 + (r0 + r1 - 2) * t * (1 - t));
         p[2] = c->section[0]->z + c->height * fmin(fmax(t, LEAST), 1 - LEAST);
-        p[2] = c->round_float ? il_number_round_float(p[2]) : p[2];
+        p[2] = snap(c, c->round_float ? il_number_round_float(p[2]) : p[2]);
     }
 }
 
@@ -89,7 +99,7 @@ static void set_levels(curve *c, size_t n)
 
 /* ---- what meets ------------------------------------------------------------------------ */
 
-/* About the corners of the triangles of S that pair[2*n] lists: FACTOR times the bends. */
+/* At the corners of the triangles of S that pair[2*n] lists: FACTOR times the bends. */
 static void weaken(curve *c, const uint32_t *pair, size_t n, double factor, unsigned char *mark)
 {
     size_t n_vertices = c->bends.n;
@@ -97,14 +107,6 @@ static void weaken(curve *c, const uint32_t *pair, size_t n, double factor, unsi
     for (size_t i = 0; i < 2 * n; i++)
         for (size_t k = 0; k < 3; k++)
             mark[il_surface_row(c->section[0], c->section[1], c->s->tri[3 * (size_t)pair[i] + k])] = 1;
-    for (size_t i = 0; i < 3 * c->s->n_triangles; i++) {
-        size_t a = il_surface_row(c->section[0], c->section[1], c->s->tri[i]);
-        size_t b = il_surface_row(c->section[0], c->section[1], c->s->tri[i % 3 == 2 ? i - 2 : i + 1]);
-        if (mark[a] == 1 && mark[b] == 0)
-            mark[b] = 2;
-        if (mark[b] == 1 && mark[a] == 0)
-            mark[a] = 2;
-    }
     for (size_t v = 0; v < n_vertices; v++)
         c->weight[v] *= mark[v] ? factor : 1;
 }

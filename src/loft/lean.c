@@ -103,8 +103,9 @@ il_status il_lean_bend(double **bend, const il_section *section, const il_lean *
         double smooth = il_lean_between(at[v].beyond / at[v].weight, beyond->height, straight, own->height);
         bool goes_on = smooth * straight > 0 && fabs(straight) < IL_LEAN_RISE * fabs(smooth);
         double *b = *bend + 3 * v;
-        b[0] = (smooth - straight) * at[v].normal[0] / length;
-        b[1] = (smooth - straight) * at[v].normal[1] / length;
+        double by = fmin(fmax(smooth - straight, -IL_LEAN_BEND), IL_LEAN_BEND);
+        b[0] = by * at[v].normal[0] / length;
+        b[1] = by * at[v].normal[1] / length;
         b[2] = (goes_on ? straight / smooth : IL_LEAN_RISE) - 1;
     }
     il_free(at);

@@ -24,8 +24,10 @@ il_status il_lean_measure(il_lean *out, const il_surface *s, const il_section *l
 /* By how much the smooth surface leans otherwise than the straight one, at each node of SECTION:
  * bend[3*n_nodes], the caller's to il_free.  OWN: of the slab that is to be bent; BEYOND: of the one
  * on the section's other side.  Per node: dn/dz smooth less straight, as a vector along the
- * contour's normal; and dz/dn, smooth over straight, less 1, at most IL_LEAN_RISE - 1. */
-#define IL_LEAN_RISE 8.0
+ * contour's normal, no longer than IL_LEAN_BEND, for what leans more is rather level than
+ * upright; and dz/dn, smooth over straight, less 1, at most IL_LEAN_RISE - 1. */
+#define IL_LEAN_BEND 2.0
+#define IL_LEAN_RISE 5.0
 il_status il_lean_bend(double **bend, const il_section *section, const il_lean *own, const il_lean *beyond, il_error *err);
 
 /* The slope at a point between straight pieces of slopes S0 and S1 over the heights H0 and H1: that of

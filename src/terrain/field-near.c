@@ -31,17 +31,12 @@ typedef struct search {
     double *distance2;
 } search;
 
-static bool adjoins(const il_field *f, uint32_t e, uint32_t other)
-{
-    return e != IL_CHART_NONE && ((other == e + 1 && f->line[e].after) || (other + 1 == e && f->line[e].before));
-}
-
 /* Edge E, if it is nearer to node (i, j) than what that has, and with SLIDE those that adjoin it. */
 static void consider(search *s, size_t i, size_t j, size_t side, uint32_t e, bool slide)
 {
     il_field *f = s->f;
     size_t k = 2 * (i + f->n[0] * j) + side;
-    if (e == IL_CHART_NONE || f->near[k] == e || (slide && adjoins(f, f->near[k], e)))
+    if (e == IL_CHART_NONE || f->near[k] == e || (slide && il_field_adjoins(f, f->near[k], e)))
         return; /* those that adjoin what it has were looked at */
     double d, t, x = f->at[0] + (double)i * f->step, y = f->at[1] + (double)j * f->step;
     if (slide)

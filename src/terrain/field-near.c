@@ -31,14 +31,18 @@ typedef struct search {
     double *distance2;
 } search;
 
-static void consider(search *s, size_t i, size_t j, size_t side, uint32_t e)
+/* Edge E, if it is nearer to node (i, j) than what that has, and with SLIDE those that adjoin it. */
+static void consider(search *s, size_t i, size_t j, size_t side, uint32_t e, bool slide)
 {
     il_field *f = s->f;
     size_t k = 2 * (i + f->n[0] * j) + side;
-    if (e == IL_CHART_NONE || f->near[k] == e)
-        return;
-    double d;
-    e = il_field_slide(f, e, f->at[0] + (double)i * f->step, f->at[1] + (double)j * f->step, &d);
+    if (e == IL_CHART_NONE || f->near[k] == e || (slide && il_field_adjoins(f, f->near[k], e)))
+        return; /* those that adjoin what it has were looked at */
+    double d, t, x = f->at[0] + (double)i * f->step, y = f->at[1] + (double)j * f->step;
+    if (slide)
+        e = il_field_slide(f, e, x, y, &d);
+    else
+        d = il_field_distance2(f, e, x, y, &t);
     if (d < s->distance2[k]) {
         s->distance2[k] = d;
         f->near[k] = e;
@@ -91,7 +95,7 @@ static void seed_cell(search *s, size_t i, size_t j, uint32_t e)
             continue;
         for (int side = 0; side < 2; side++)
             if (l->face[side] != IL_CHART_NONE && s->f->face[x + s->f->n[0] * y] == l->face[side])
-                consider(s, x, y, !l->above[side], e);
+                consider(s, x, y, !l->above[side], e, false);
     }
 }
 
@@ -140,7 +144,7 @@ static void pass_on(search *s, size_t i, size_t j, int step)
         if (x >= f->n[0] || y >= f->n[1] || f->face[x + f->n[0] * y] != f->face[at])
             continue;
         for (size_t side = 0; side < 2; side++)
-            consider(s, i, j, side, f->near[2 * (x + f->n[0] * y) + side]);
+            consider(s, i, j, side, f->near[2 * (x + f->n[0] * y) + side], true);
     }
 }
 

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-enum { FIELD_NODES = 4, NODES_LEAST = 10000 };
+enum { FIELD_NODES = 3, NODES_LEAST = 10000 };
 
 void il_field_free(il_field *f)
 {

@@ -59,6 +59,12 @@ static inline double il_field_distance2(const il_field *f, uint32_t e, double x,
     return dx * dx + dy * dy;
 }
 
+/* Does edge OTHER adjoin edge E? */
+static inline bool il_field_adjoins(const il_field *f, uint32_t e, uint32_t other)
+{
+    return e != IL_CHART_NONE && ((other == e + 1 && f->line[e].after) || (other + 1 == e && f->line[e].before));
+}
+
 /* Of line edge E and those that adjoin it, one after the other, the one nearest to (x, y), as far as
  * each is nearer than the one before; *DISTANCE2 to it. */
 uint32_t il_field_slide(const il_field *f, uint32_t e, double x, double y, double *distance2);

@@ -56,10 +56,11 @@ il_status il_lean_measure(il_lean *out, const il_surface *s, const il_section *l
 
 /* ---- the smooth surface ------------------------------------------------------------ */
 
+/* Chords c0, c1 of a circle from one of its points: its tangent there is along c0 / |c0|^2 +
+ * c1 / |c1|^2.  Neither tan nor atan, whose last bit depends on the processor. */
 double il_lean_between(double s0, double h0, double s1, double h1)
 {
-    double l0 = h0 * sqrt(1 + s0 * s0), l1 = h1 * sqrt(1 + s1 * s1);
-    double s = tan((atan(s0) * l1 + atan(s1) * l0) / (l0 + l1));
+    double w0 = h1 * (1 + s1 * s1), w1 = h0 * (1 + s0 * s0), s = (w0 * s0 + w1 * s1) / (w0 + w1);
     return copysign(fmin(fabs(s), 3 * fmin(fabs(s0), fabs(s1))), s);
 }
 

@@ -31,8 +31,7 @@ il_status il_lean_measure(il_lean *out, const il_surface *s, const il_section *l
 il_status il_lean_bend(double **bend, const il_section *section, const il_lean *own, const il_lean *beyond, il_error *err);
 
 /* The slope at a point between straight pieces of slopes S0 and S1 over the heights H0 and H1: that of
- * the circle through the ends of both, to which it is tangent there.  Angles from a chord to
- * the tangent go as the chords' lengths, so the tangent's is (a0 l1 + a1 l0) / (l0 + l1).
+ * the circle through the ends of both, to which it is tangent there.
  * At most three times the lesser slope, so that a cubic with it stays monotone where the
  * pieces are (Fritsch & Carlson 1980). */
 double il_lean_between(double s0, double h0, double s1, double h1);

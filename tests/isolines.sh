@@ -41,7 +41,10 @@ holds "doubles them" test "$(levels again.loft | wc -l)" -eq $((2 * $(levels den
 awk 'BEGIN { print "isoloft 1\nunit m\nstack \"cone\"\nkind terrain"
     for (z = 0; z <= 20; z += 10) {
         print "slice " z "\nring"
-        for (k = 0; k < 48; k++) printf "%.6f %.6f\n", (100 - 4 * z) * cos(k * 0.1308996938995747), (100 - 4 * z) * sin(k * 0.1308996938995747)
+        for (k = 0; k < 48; k++) {
+            turn = k * 0.1308996938995747
+            printf "%.6f %.6f\n", (100 - 4 * z) * cos(turn), (100 - 4 * z) * sin(turn)
+        }
     }
     print "end" }' >cone.loft
 exits 0 "a cone" "$ISOLOFT" -q --between 3 -t loft cone.loft -o lines.loft

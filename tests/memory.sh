@@ -88,6 +88,7 @@ starve "and listed" "$ISOLOFT" --list lines.loft
 printf 'isoloft 1\nunit m\nstack "hill"\nkind terrain\nslice 5\nring\n30 0\n60 30\n30 60\n0 30\nslice 10\nring\n30 20\n40 30\n30 40\n20 30\nslice 25\nline\n0 10\n2 2\n10 0\nend\n' >hill.loft
 starve "so do surfaces of terrain" "$ISOLOFT" hill.loft -o box/t.ply
 starve "and solids of it" "$ISOLOFT" hill.loft --solid --fit 100 -o box/t.stl
+starve "and isolines between its own" "$ISOLOFT" hill.loft --between 2 -t loft -o box/t.loft
 starve "and described" "$ISOLOFT" info hill.loft
 # A few isolines, two of them of one line, in every format; degrees are projected.
 few() { relief "$1" | awk 'NR < 3 || NR > 8 { print $1, $2, $3, $4, $5, $6 } NR == 2 { print $1, $6, $7 }'; }

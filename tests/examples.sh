@@ -53,7 +53,7 @@ row size '100 x 87[.0-9]* x [12][0-9][.0-9]*$'
 exits 1 "the surface is open" isoloft check open.ply
 holds "and else sound" test "$(grep -c -e 'manifold *yes' -e 'oriented *yes' -e 'crossings *none' out)" -eq 3
 exits 0 "info tells of both" isoloft info island.geojson
-row surface 'certified, open at the frame; 2[0-9]* vertices'
+row surface 'certified, open at the frame; 3[0-9]* vertices'
 row frame 'bbox, 26 faces$'
 
 # Lowest and highest vertex of the surface of FILE.

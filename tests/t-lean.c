@@ -101,8 +101,10 @@ static void a_hole_leans_towards_its_middle(void **state)
     add_circle(&slice[0], 0, 0, 3, 60);
     add_circle(&slice[1], 0, 0, 4, 60);
     test_slab t = new_slab(slice, false);
-    for (size_t i = 0; i < t.section[0].n_stations; i++)
-        assert_true(near(t.slab.lean[0].slope[i], hypot(t.section[0].xy[2 * t.section[0].node_at[i]], t.section[0].xy[2 * t.section[0].node_at[i] + 1]) < 5 ? -1 : 0, 0.02));
+    for (size_t i = 0; i < t.section[0].n_stations; i++) {
+        const double *xy = t.section[0].xy + 2 * (size_t)t.section[0].node_at[i];
+        assert_true(near(t.slab.lean[0].slope[i], hypot(xy[0], xy[1]) < 5 ? -1 : 0, 0.02));
+    }
     free_slab(&t);
     free_slices(slice, 2);
 }

@@ -292,6 +292,8 @@ static void neighbours_are_bent_less_but_never_into_each_other(void **state)
             assert_int_equal(k.facts.genus, 0);
             assert_true(k.facts.triangles > straight.facts.triangles);
             assert_true(k.facts.volume > straight.facts.volume);
+            assert_int_equal(k.facts.slabs_halved > 0, gap < 0.3);
+            assert_int_equal(k.facts.slabs_straight, 0);
             il_mesh_free(&straight.mesh);
             il_mesh_free(&k.mesh);
             free_slices(slice, n);

@@ -463,7 +463,8 @@ il_status il_intersections(const double *xyz, size_t n_vertices, const uint32_t 
 }
 
 il_status il_intersections_between(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n_triangles,
-                                   const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err)
+                                   const uint32_t *group, const unsigned char *touched,
+                                   uint32_t **pair, size_t *n_pairs, il_error *err)
 {
     *pair = nullptr;
     *n_pairs = 0;
@@ -471,7 +472,7 @@ il_status il_intersections_between(const double *xyz, size_t n_vertices, const u
         return IL_OK;
     return guarded(err, [&] {
         Found all = { SIZE_MAX, 0, { UINT32_MAX, UINT32_MAX }, {} };
-        il_status st = find_intersections(xyz, n_vertices, tri, n_triangles, nullptr, group, all, err);
+        il_status st = find_intersections(xyz, n_vertices, tri, n_triangles, touched, group, all, err);
         if (st != IL_OK)
             return st;
         *pair = static_cast<uint32_t *>(il_alloc(all.groups.size(), 2 * sizeof **pair));

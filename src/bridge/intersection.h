@@ -31,10 +31,11 @@ il_status il_intersections(const double *xyz, size_t n_vertices, const uint32_t 
 /* Which groups of triangles meet in more than vertices and edges they share:
  * group[n_triangles] is the group of each, or UINT32_MAX for triangles that are
  * left out.  Triangles of one group are not compared, nor are those without
- * area.  *PAIR, the caller's to il_free: 2 * *N_PAIRS groups, lesser first, all
+ * area, nor with TOUCHED not null two that it does not mark.  *PAIR, the caller's to il_free: 2 * *N_PAIRS groups, lesser first, all
  * pairs that meet, sorted.  Otherwise as il_intersections. */
 il_status il_intersections_between(const double *xyz, size_t n_vertices, const uint32_t *tri, size_t n_triangles,
-                                   const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err);
+                                   const uint32_t *group, const unsigned char *touched,
+                                   uint32_t **pair, size_t *n_pairs, il_error *err);
 
 #ifdef __cplusplus
 }

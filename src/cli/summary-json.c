@@ -136,6 +136,12 @@ static void put_mesh(il_json *j, const il_stack_account *s)
         put_number(j, attempts[k], s->has_mesh ? f->length_by[k] : 0);
     il_json_close(j, '}');
     put_number(j, "unpaired", s->has_mesh ? f->length_alone : 0);
+    il_json_key(j, "between");
+    il_json_open(j, '{');
+    put_count(j, "levels", s->has_mesh ? f->between : 0);
+    put_count(j, "slabs_halved", s->has_mesh ? f->slabs_halved : 0);
+    put_count(j, "slabs_straight", s->has_mesh ? f->slabs_straight : 0);
+    il_json_close(j, '}');
     for (int k = 0; k < 4; k++) {
         il_json_key(j, keys[k]);
         (k < 3 ? s->has_mesh : bounds) ? il_json_integer(j, values[k]) : il_json_null(j);

@@ -142,6 +142,19 @@ static void settled_row(il_output *out, const il_mesh_facts *f)
         il_table_row(out, "unpaired", "%.4g %% of the contours", 100 * f->length_alone / all);
 }
 
+/* Contours between the slices, and where strips are less smooth than they should be. */
+static void between_row(il_output *out, const il_mesh_facts *f)
+{
+    char text[TEXT] = "";
+    if (f->slabs_halved > 0)
+        il_text_append(text, sizeof text, "; in %zu slab%s the bend was halved where strips met", f->slabs_halved,
+                       f->slabs_halved == 1 ? "" : "s");
+    if (f->slabs_straight > 0)
+        il_text_append(text, sizeof text, "; %zu slab%s left straight", f->slabs_straight, f->slabs_straight == 1 ? "" : "s");
+    if (f->between > 0 || *text)
+        il_table_row(out, "between", "%zu level%s put between the slices%s", f->between, f->between == 1 ? "" : "s", text);
+}
+
 /* A volume, and what it is in cm^3 where a unit is a mm. */
 static void volume_row(il_output *out, const char *key, double volume, il_unit unit, const char *words)
 {
@@ -176,6 +189,7 @@ static void mesh_rows(il_output *out, const il_stack_account *s)
     if (f->pinches > 0)
         il_table_row(out, "pinches", "%zu, where the input touches itself", f->pinches);
     settled_row(out, f);
+    between_row(out, f);
     il_table_row(out, "area", "%.6g %s^2", f->area, unit);
     volume_row(out, "volume", f->volume, s->unit, "");
 }

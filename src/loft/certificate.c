@@ -203,15 +203,15 @@ il_status il_certify_touched(const il_surface *s, const il_section *lower, const
     return st;
 }
 
-il_status il_certify_between(const il_surface *s, const il_section *lower, const il_section *upper,
-                             const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err)
+il_status il_certify_between(const il_surface *s, const il_section *lower, const il_section *upper, const uint32_t *group,
+                             const unsigned char *touched, uint32_t **pair, size_t *n_pairs, il_error *err)
 {
     soup m = { NULL, NULL, 0 };
     *pair = NULL;
     *n_pairs = 0;
     il_status st = make_soup(&m, s, lower, upper) ? IL_OK : il_fail_nomem(err);
     if (st == IL_OK)
-        st = il_intersections_between(m.xyz, m.n_vertices, m.tri, s->n_triangles, group, pair, n_pairs, err);
+        st = il_intersections_between(m.xyz, m.n_vertices, m.tri, s->n_triangles, group, touched, pair, n_pairs, err);
     il_free(m.xyz);
     il_free(m.tri);
     return st;

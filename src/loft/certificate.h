@@ -41,9 +41,10 @@ il_status il_certify_edges(const il_surface *s, const il_section *lower, const i
 il_status il_certify_unfolded(const il_surface *s, const il_section *lower, const il_section *upper,
                               double angle, il_verdict *verdict, il_error *err);
 
-/* Part (c) between groups of triangles: which of them meet (bridge/intersection.h). */
-il_status il_certify_between(const il_surface *s, const il_section *lower, const il_section *upper,
-                             const uint32_t *group, uint32_t **pair, size_t *n_pairs, il_error *err);
+/* Part (c) between groups of triangles: which of them meet (bridge/intersection.h); for pairs with one
+ * of those that touched[] marks when it is not null. */
+il_status il_certify_between(const il_surface *s, const il_section *lower, const il_section *upper, const uint32_t *group,
+                             const unsigned char *touched, uint32_t **pair, size_t *n_pairs, il_error *err);
 
 /* Part (c) alone, for pairs with one of the triangles that touched[] marks. */
 il_status il_certify_touched(const il_surface *s, const il_section *lower, const il_section *upper,

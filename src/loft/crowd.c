@@ -426,7 +426,7 @@ static il_status join_meeting(il_crowd *c, const il_surface *s, const il_section
     bool any;
     il_status st = leave_out_separate(c, s, whole, group, &any, err);
     if (st == IL_OK && any)
-        st = il_certify_between(s, &whole[0], &whole[1], group, &pair, &n_pairs, err);
+        st = il_certify_between(s, &whole[0], &whole[1], group, NULL, &pair, &n_pairs, err);
     for (size_t i = 0; i < n_pairs; i++)
         join(c, pair[2 * i], pair[2 * i + 1]);
     il_free(pair);

@@ -6,6 +6,7 @@
 #include "loft/bends.h"
 #include "loft/certificate.h"
 #include "loft/levels.h"
+#include "model/mesh.h"
 
 #include <math.h>
 #include <string.h>
@@ -111,42 +112,81 @@ static void weaken(curve *c, const uint32_t *pair, size_t n, double factor, unsi
         c->weight[v] *= mark[v] ? factor : 1;
 }
 
-/* The triangles of S whose parts in BENT meet, in pairs. */
-static il_status find_meeting(const curve *c, const il_surface *bent, const uint32_t *parent, uint32_t **pair, size_t *n, il_error *err)
+/* Parts of BENT that meet, in pairs; one without area is a pair with itself. */
+typedef struct meetings {
+    uint32_t *pair;
+    size_t n, cap;
+} meetings;
+
+/* moved[v]: vertices whose parts are not as they were when they last were tested. */
+static void mark_parts(const curve *c, const il_surface *bent, const uint32_t *parent, const unsigned char *moved,
+                       uint32_t *self, unsigned char *touched)
+{
+    for (size_t t = 0; t < bent->n_triangles; t++) {
+        self[t] = (uint32_t)t;
+        touched[t] = 0;
+        for (size_t k = 0; k < 3; k++)
+            touched[t] |= moved[il_surface_row(c->section[0], c->section[1], c->s->tri[3 * (size_t)parent[t] + k])] != 0;
+    }
+}
+
+static bool add_flat(const curve *c, const il_surface *bent, const unsigned char *touched, meetings *m)
+{
+    for (size_t t = 0; t < bent->n_triangles; t++) {
+        double p[3][3];
+        for (size_t k = 0; k < 3; k++)
+            il_surface_position(bent, c->section[0], c->section[1], bent->tri[3 * t + k], p[k]);
+        if (!touched[t] || il_triangle_has_area(p[0], p[1], p[2]))
+            continue;
+        if (!il_grow(&m->pair, &m->cap, m->n + 1, 2 * sizeof *m->pair))
+            return false;
+        m->pair[2 * m->n] = m->pair[2 * m->n + 1] = (uint32_t)t;
+        m->n++;
+    }
+    return true;
+}
+
+/* The triangles of S whose parts in BENT meet, where they are not tested yet. */
+static il_status find_meeting(const curve *c, const il_surface *bent, const uint32_t *parent, const unsigned char *moved,
+                              meetings *m, il_error *err)
 {
     uint32_t *self = il_alloc(bent->n_triangles, sizeof *self);
-    *pair = NULL;
-    *n = 0;
-    if (!self)
-        return il_fail_nomem(err);
-    for (size_t t = 0; t < bent->n_triangles; t++)
-        self[t] = (uint32_t)t;
-    il_status st = il_certify_between(bent, c->section[0], c->section[1], self, pair, n, err);
-    for (size_t i = 0; st == IL_OK && i < 2 * *n; i++)
-        (*pair)[i] = parent[(*pair)[i]];
+    unsigned char *touched = il_alloc(bent->n_triangles, 1);
+    il_status st = self && touched ? IL_OK : il_fail_nomem(err);
+    if (st == IL_OK) {
+        mark_parts(c, bent, parent, moved, self, touched);
+        st = il_certify_between(bent, c->section[0], c->section[1], self, touched, &m->pair, &m->n, err);
+        m->cap = m->n;
+    }
+    if (st == IL_OK && !add_flat(c, bent, touched, m))
+        st = il_fail_nomem(err);
+    for (size_t i = 0; st == IL_OK && i < 2 * m->n; i++)
+        m->pair[i] = parent[m->pair[i]];
     il_free(self);
+    il_free(touched);
     return st;
 }
 
-/* Bend by the weights; what meets gets less of it for the next time. */
-static il_status try_bends(curve *c, double factor, il_surface *bent, unsigned char *mark, bool *sound, bool *meets, il_error *err)
+/* Bend by the weights; what meets gets less of it for the next time.  moved[v]: as above, for this
+ * time, and then for the next. */
+static il_status try_bends(curve *c, double factor, il_surface *bent, unsigned char *moved, bool *sound, bool *meets, il_error *err)
 {
     il_levels levels = { c->s, { c->section[0], c->section[1] }, c->xyz, c->level, c->n_levels, move, c };
-    uint32_t *parent = NULL, *pair = NULL;
+    uint32_t *parent = NULL;
+    meetings m = { NULL, 0, 0 };
     il_verdict v = { .flaw = IL_FLAW_CROSSING };
-    size_t n = 0;
     raise_inner(c);
     il_status st = il_levels_cut(bent, &parent, &levels, err);
     if (st == IL_OK)
-        st = find_meeting(c, bent, parent, &pair, &n, err);
-    *meets = n > 0;
-    if (n > 0)
-        weaken(c, pair, n, factor, mark);
+        st = find_meeting(c, bent, parent, moved, &m, err);
+    *meets = m.n > 0;
+    if (st == IL_OK && m.n > 0)
+        weaken(c, m.pair, m.n, factor, moved);
     else if (st == IL_OK)
-        st = il_certify(bent, c->section[0], c->section[1], &v, err);
+        st = il_certify_edges(bent, c->section[0], c->section[1], &v, err);
     *sound = st == IL_OK && v.flaw == IL_FLAW_NONE;
     il_free(parent);
-    il_free(pair);
+    il_free(m.pair);
     return st;
 }
 
@@ -159,27 +199,33 @@ static void take(il_surface *s, il_surface *bent)
     *bent = (il_surface)IL_SURFACE_INIT;
 }
 
-static il_status settle(curve *c, il_surface *s, il_error *err)
+/* All parts are tested in the first round, and then those that were changed, so that at the end none
+ * is left untested. */
+static il_status settle(curve *c, il_surface *s, il_bending *told, il_error *err)
 {
-    unsigned char *mark = il_alloc(c->bends.n, 1);
-    il_status st = mark ? IL_OK : il_fail_nomem(err);
+    unsigned char *moved = il_alloc(c->bends.n, 1);
+    il_status st = moved ? IL_OK : il_fail_nomem(err);
     bool sound = false, meets = true;
+    if (moved)
+        memset(moved, 1, c->bends.n);
     for (int round = 0; st == IL_OK && meets && round <= HALVINGS + DROPS; round++) {
         il_surface bent = IL_SURFACE_INIT;
-        st = try_bends(c, round < HALVINGS ? 0.5 : 0, &bent, mark, &sound, &meets, err);
+        st = try_bends(c, round < HALVINGS ? 0.5 : 0, &bent, moved, &sound, &meets, err);
         if (sound)
             take(s, &bent);
         il_surface_free(&bent);
+        *told = (il_bending){ sound ? c->n_levels : 0, sound && round > 0, !sound };
     }
-    il_free(mark);
+    il_free(moved);
     return st;
 }
 
 il_status il_curve_bend(il_surface *s, const il_section *lower, const il_section *upper, const il_lean lean[2],
-                        const il_lean beyond[2], int between, bool round_float, il_error *err)
+                        const il_lean beyond[2], int between, bool round_float, il_bending *told, il_error *err)
 {
     curve c = { .s = s, .section = { lower, upper }, .height = upper->z - lower->z, .round_float = round_float };
     size_t n = between > 0 ? (size_t)between : 0;
+    *told = (il_bending){ 0 };
     il_status st = il_bends_find(&c.bends, s, lower, upper, lean, beyond, err);
     if (st == IL_OK && between < 0)
         st = count_levels(&c, &n, err);
@@ -191,7 +237,7 @@ il_status il_curve_bend(il_surface *s, const il_section *lower, const il_section
         for (size_t v = 0; st == IL_OK && v < c.bends.n; v++)
             c.weight[v] = 1;
         if (st == IL_OK)
-            st = settle(&c, s, err);
+            st = settle(&c, s, told, err);
     }
     il_bends_free(&c.bends);
     il_free(c.xyz);

@@ -22,11 +22,17 @@
 #define IL_CURVE_TOLERANCE 0.02
 enum { IL_CURVE_BETWEEN_MOST = 7 };
 
+/* What became of a slab: contours put in, whether bends were halved somewhere, or all of it had to stay straight. */
+typedef struct il_bending {
+    size_t contours;
+    bool halved, straight;
+} il_bending;
+
 /* Put BETWEEN contours into S, or as many as that takes when it is negative.  lean[side] tells how
  * S leans at its sections, beyond[side] how the next slabs do.  Contours of the slices stay as they are.
  * Where bent triangles meet, the bends about them are halved, at last dropped; S is as it was
  * when that does not help.  What comes out is certified. */
 il_status il_curve_bend(il_surface *s, const il_section *lower, const il_section *upper, const il_lean lean[2],
-                        const il_lean beyond[2], int between, bool round_float, il_error *err);
+                        const il_lean beyond[2], int between, bool round_float, il_bending *told, il_error *err);
 
 #endif

@@ -85,9 +85,11 @@ static il_status find_radii(domes *d, il_error *err)
     il_nearest contours;
     il_status st = il_nearest_build(&contours, d->contour, d->n_contour, d->s->n_inner, err);
     d->contour = NULL; /* taken over */
-    for (uint32_t i = 0; st == IL_OK && i < d->s->n_inner; i++)
+    for (uint32_t i = 0; st == IL_OK && i < d->s->n_inner; i++) {
+        const double *top = d->s->inner + 3 * (size_t)d->lid[i].highest;
         if (d->lid[i].length > 0)
-            d->lid[i].radius = il_nearest_distance(&contours, i, d->s->inner[3 * d->lid[i].highest], d->s->inner[3 * d->lid[i].highest + 1]);
+            d->lid[i].radius = il_nearest_distance(&contours, i, top[0], top[1]);
+    }
     if (st == IL_OK)
         il_nearest_free(&contours);
     return st;

@@ -164,6 +164,9 @@ static void account(passage *p)
     f->volume += p->low->volume;
     f->area += p->low->area;
     f->pinches += p->low->n_split + p->upper.n_pinches;
+    f->between += p->low->bending.contours;
+    f->slabs_halved += p->low->bending.halved;
+    f->slabs_straight += p->low->bending.straight;
 }
 
 il_status il_emitter_slab(il_emitter *e, il_window *w, il_error *err)

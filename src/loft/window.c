@@ -1,7 +1,6 @@
 #include "config.h"
 #include "loft/window.h"
 #include "base/alloc.h"
-#include "loft/curve.h"
 #include "loft/dome.h"
 #include "loft/pinch.h"
 
@@ -72,7 +71,8 @@ static void bend(const il_window *w, il_window_place *p, const il_window_place *
         int side = p->beyond ? IL_UPPER : IL_LOWER;
         p->status = il_dome_follow(s, &p->section, &above->section, side, &beyond[side], w->round_float, &p->error);
     } else if (!is_dome(p, above) && w->between != 0 && !p->slab.gap) {
-        p->status = il_curve_bend(s, &p->section, &above->section, p->slab.lean, beyond, w->between, w->round_float, &p->error);
+        p->status = il_curve_bend(s, &p->section, &above->section, p->slab.lean, beyond, w->between, w->round_float,
+                                  &p->bending, &p->error);
     }
     if (p->status == IL_OK)
         measure(w, p, &above->section);

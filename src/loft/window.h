@@ -10,6 +10,7 @@
 #define IL_LOFT_WINDOW_H
 
 #include "base/threads.h"
+#include "loft/curve.h"
 #include "loft/lofter.h"
 #include "loft/slab.h"
 
@@ -30,6 +31,7 @@ typedef struct il_window_place {
     il_status status;         /* of the slab's work; it is finished when not IL_OK */
     il_error error;
     size_t n_split;           /* pinched edges taken apart */
+    il_bending bending;
     double volume, area;      /* of the slab's triangles, about origin, unit^3 and unit^2 */
 } il_window_place;
 

@@ -36,6 +36,8 @@ typedef struct il_mesh_facts {
     bool is_open;
     size_t vertices, triangles, slices, rings, points, faces;
     size_t pinches;          /* vertices or edges where the input touches itself, split */
+    size_t between;          /* planes put between slices, and slabs whose bends met, */
+    size_t slabs_halved, slabs_straight; /* so that they were halved, or left out everywhere (loft/curve.h) */
     long components, genus;
     double volume, area;     /* unit^3, unit^2 */
     double step, spread;     /* of the field and the law of a map's heights (terrain/smooth.h); 0 where there is none */

@@ -177,7 +177,7 @@ static il_status find_crossing(settling *s, il_error *err)
     }
     for (size_t t = 0; t < s->n_triangles; t++)
         s->group[t] = (uint32_t)t;
-    st = il_intersections_between(s->to, s->n_vertices, s->tri, s->n_triangles, s->group, &pair, &n, err);
+    st = il_intersections_between(s->to, s->n_vertices, s->tri, s->n_triangles, s->group, NULL, &pair, &n, err);
     for (size_t k = 0; k < 2 * n && st == IL_OK; k++)
         mark_triangle(s, pair[k]);
     il_free(pair);

@@ -9,6 +9,9 @@
 /* How far from a line, in steps, the plate is still moved by what it misses that by: where several
  * lines pass between two nodes, it cannot meet all. */
 static const double REACH = 8;
+/* Cells farther than that from a line, in steps, have their heights between those of their nodes: nearer
+ * than that they would miss much of a narrow band's ridge. */
+static const double CLEAR = 1;
 /* The steepest start at a line, in mean slopes of the band: heights are then those of the lines at
  * the lines, whatever the plate has there.  3 keeps a cubic monotone, but is too little above cliffs. */
 static const double STEEPEST = 10;
@@ -162,7 +165,7 @@ double il_smooth_height(const il_smooth *s, uint32_t face, double x, double y, d
     if (!(u >= 0 && v >= 0 && u < (double)field->n[0] - 1 && v < (double)field->n[1] - 1))
         return NAN;
     size_t i = (size_t)u, j = (size_t)v, cell = i + field->n[0] * j;
-    if (is_clear(field, cell, face)) {
+    if (s->law[2 * cell + 1] > CLEAR * field->step && is_clear(field, cell, face)) {
         *nearest = among(s->law + 2 * cell + 1, field->n[0], u - (double)i, v - (double)j);
         return among(s->law + 2 * cell, field->n[0], u - (double)i, v - (double)j);
     }

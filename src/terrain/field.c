@@ -6,7 +6,9 @@
 
 #include <math.h>
 
-enum { FIELD_NODES = 3, NODES_LEAST = 10000 };
+/* Nodes of the field for each of the chart, and rows that triangles and edges may pass through for each node of
+ * the field: a map of long straight lines, or of two far apart, has triangles as long as itself. */
+enum { FIELD_NODES = 3, NODES_LEAST = 10000, ROWS = 16 };
 
 void il_field_free(il_field *f)
 {
@@ -20,22 +22,26 @@ void il_field_free(il_field *f)
 
 /* ---- the grid ------------------------------------------------------------------- */
 
-/* Least x and y, greatest x and y, of all that lies inside the frame. */
-static void find_box(const il_field *f, const il_tin *t, const il_chart *c, double box[4])
+/* Least x and y, greatest x and y, of all that lies inside the frame; returns how high its triangles
+ * are, one upon the other. */
+static double find_box(const il_field *f, const il_tin *t, const il_chart *c, double box[4])
 {
+    double sum = 0;
     box[0] = box[1] = INFINITY;
     box[2] = box[3] = -INFINITY;
     for (size_t k = 0; k < 3 * t->n; k++) {
-        const double *p = c->xy + 2 * (size_t)t->corner[k];
+        const double *p = c->xy + 2 * (size_t)t->corner[k], *q = c->xy + 2 * (size_t)t->corner[il_tin_after(k)];
         if (t->face[k / 3] == IL_CHART_NONE)
             continue;
         box[0] = fmin(box[0], p[0] * f->east), box[2] = fmax(box[2], p[0] * f->east);
         box[1] = fmin(box[1], p[1]), box[3] = fmax(box[3], p[1]);
+        sum += fabs(q[1] - p[1]) / 2;
     }
+    return sum;
 }
 
 /* Nodes stand half a step off the box, and one beyond it. */
-static void choose_grid(il_field *f, const double box[4], size_t n_nodes)
+static void choose_grid(il_field *f, const double box[4], double rows, size_t n_nodes)
 {
     double size[2] = { box[2] - box[0], box[3] - box[1] }, length = 0;
     size_t n = 0;
@@ -48,7 +54,7 @@ static void choose_grid(il_field *f, const double box[4], size_t n_nodes)
         return;
     double most = (double)(FIELD_NODES * n_nodes + NODES_LEAST), area = size[0] * size[1];
     /* the second: a long and narrow map has no more nodes along it */
-    double least = fmax(sqrt(area / most), fmax(size[0], size[1]) / most);
+    double least = fmax(fmax(sqrt(area / most), fmax(size[0], size[1]) / most), (rows + length) / (ROWS * most));
     f->step = fmax(least, fmin(length / (double)n, area / length / 4));
     for (int i = 0; i < 2; i++) {
         f->at[i] = box[i] - f->step / 2;
@@ -128,10 +134,10 @@ il_status il_field_build(il_field *f, const il_tin *t, const il_chart *c, const 
 {
     double box[4];
     *f = (il_field){ .east = east };
-    find_box(f, t, c, box);
+    double rows = find_box(f, t, c, box);
     bool ok = copy_lines(f, t, c, band);
     if (ok)
-        choose_grid(f, box, c->n_nodes);
+        choose_grid(f, box, rows, c->n_nodes);
     if (ok && f->step > 0)
         ok = label_nodes(f, t, c) && il_field_find_near(f);
     if (!ok)

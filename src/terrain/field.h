@@ -38,7 +38,7 @@ void il_field_free(il_field *f); /* safe twice */
 
 /* Lay F over T, which C's lines bound as BAND says.  The step is about the mean length of the
  * lines' edges, or a quarter of their mean distance where that is less, but no less than what makes
- * FIELD_NODES nodes a node of the chart: time is linear in those.  Without extent F stays empty.
+ * three nodes a node of the chart, and few rows for each triangle: time is linear in those.  Without extent F stays empty.
  * IL_E_NOMEM. */
 il_status il_field_build(il_field *f, const il_tin *t, const il_chart *c, const il_band *band, double east, il_error *err);
 

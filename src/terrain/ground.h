@@ -1,6 +1,6 @@
 /* ground.h - from the lines of a map to a mesh that is proved.
  *
- *     frame > chart > tin > bands > missing lines > axis > law > skin > proof */
+ *     frame > chart > tin > bands > missing lines > law > detail > skin > proof */
 #ifndef IL_TERRAIN_GROUND_H
 #define IL_TERRAIN_GROUND_H
 

@@ -1,6 +1,6 @@
 /* relief.h - the surface of a map of isolines, as a stage.
  *
- *     frame > chart > tin > bands > missing lines > axis > law > skin > proof
+ *     frame > chart > tin > bands > missing lines > law > detail > skin > proof
  *
  * The map is triangulated in its own plane: lines and frame are edges of it, and heights
  * are carried by its nodes (design 7).  A whole map is held: what band a face lies in may

@@ -9,6 +9,12 @@
 /* How far from a line, in steps, the plate is still moved by what it misses that by: where several
  * lines pass between two nodes, it cannot meet all. */
 static const double REACH = 8;
+/* Lines farther than the nearest so far are looked along only if the square of their distance is not so many
+ * times as large. */
+static const double FARTHER = 2.25;
+/* Cells farther than that from a line, in steps, have their heights between those of their nodes: nearer
+ * than that they would miss much of a narrow band's ridge. */
+static const double CLEAR = 1;
 /* The steepest start at a line, in mean slopes of the band: heights are then those of the lines at
  * the lines, whatever the plate has there.  3 keeps a cubic monotone, but is too little above cliffs. */
 static const double STEEPEST = 10;
@@ -65,6 +71,7 @@ static bool find_feet(const il_field *f, size_t cell, uint32_t face, double x, d
     double best[2] = { INFINITY, INFINITY };
     uint32_t line[2] = { IL_CHART_NONE, IL_CHART_NONE };
     bool any = false;
+    look_in_cell(f, cell, face, x, y, best, line);
     for (size_t k = 0; k < 4; k++) {
         size_t node = cell + k % 2 + f->n[0] * (k / 2);
         if (f->face[node] != face)
@@ -72,15 +79,16 @@ static bool find_feet(const il_field *f, size_t cell, uint32_t face, double x, d
         any = true;
         for (size_t side = 0; side < 2; side++) {
             uint32_t e = f->near[2 * node + side];
-            double d;
+            double d, t;
             if (e == IL_CHART_NONE || e == line[side] || il_field_adjoins(f, line[side], e))
+                continue;
+            if (il_field_distance2(f, e, x, y, &t) > FARTHER * best[side])
                 continue;
             e = il_field_slide(f, e, x, y, &d);
             if (d < best[side])
                 best[side] = d, line[side] = e;
         }
     }
-    look_in_cell(f, cell, face, x, y, best, line);
     place_feet(f, line, x, y, out);
     return any;
 }
@@ -162,7 +170,7 @@ double il_smooth_height(const il_smooth *s, uint32_t face, double x, double y, d
     if (!(u >= 0 && v >= 0 && u < (double)field->n[0] - 1 && v < (double)field->n[1] - 1))
         return NAN;
     size_t i = (size_t)u, j = (size_t)v, cell = i + field->n[0] * j;
-    if (is_clear(field, cell, face)) {
+    if (s->law[2 * cell + 1] > CLEAR * field->step && is_clear(field, cell, face)) {
         *nearest = among(s->law + 2 * cell + 1, field->n[0], u - (double)i, v - (double)j);
         return among(s->law + 2 * cell, field->n[0], u - (double)i, v - (double)j);
     }

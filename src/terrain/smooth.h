@@ -32,8 +32,8 @@ il_status il_smooth_build(il_smooth *s, const il_tin *t, const il_chart *c, cons
  * spread s = spread min(d / width, 1/2), d the distance to the nearest line: a plate is the likeliest
  * surface, but between two levels a mean lies nearer to the middle than that, the more so the
  * farther the lines are.
- * That is so at the nodes and in cells that a line passes through; in others heights lie between those of the
- * nodes, which takes a tenth of the time. */
+ * A step and more away from all lines heights lie between those of the nodes, which takes a tenth
+ * of the time. */
 double il_smooth_height(const il_smooth *s, uint32_t face, double x, double y, double *nearest);
 
 #endif

@@ -10,17 +10,19 @@
  * grain is finer, and no shorter chord is broken, where lines all but meet. */
 static const double NEAREST = 0.25, FINEST = 0.4, CHORD = 0.001;
 
-/* A triangle is looked at in so many steps along its edges, each about two grains long. */
+/* A triangle is looked at in so many steps along its edges, each about so many grains long. */
+static const double STEP = 1, FINER = 8;
 enum { STEPS_LEAST = 2, STEPS_MOST = 8 };
 
-/* grain[face], and mean, of all edges, the mesh's unit.  queue[n_queue]: triangles to be looked at; is_queued[triangle].
+/* grain[face], and mean, of all edges, the mesh's unit; coarse: the side of a square that one
+ * of FINER nodes of the chart would have to itself.  queue[n_queue]: triangles to be looked at; is_queued[triangle].
  * tolerance: of the step at hand, in intervals. */
 typedef struct detail {
     il_refine r;
     const il_law *law;
     const il_placement_options *o;
     double tolerance;
-    double *grain, mean;
+    double *grain, mean, coarse;
     uint32_t *queue;         size_t n_queue, cap_queue;
     unsigned char *is_queued; size_t n_flags, cap_flags;
 } detail;
@@ -70,9 +72,14 @@ static bool find_grain(detail *d)
     size_t *edges = il_calloc(t->n_faces, sizeof *edges);
     d->grain = il_calloc(t->n_faces, sizeof *d->grain);
     bool ok = area2 && length && edges && d->grain;
-    for (size_t k = 0; k < t->n && ok; k++)
-        if (t->face[k] != IL_CHART_NONE)
-            area2[t->face[k]] += il_tin_area2(t, c, k);
+    double whole = 0;
+    for (size_t k = 0; k < t->n && ok; k++) {
+        double a = t->face[k] == IL_CHART_NONE ? 0 : il_tin_area2(t, c, k);
+        whole += a;
+        if (a > 0)
+            area2[t->face[k]] += a;
+    }
+    d->coarse = sqrt(whole / 2 / (FINER * (double)c->n_nodes));
     for (size_t k = 0; k < 2 * t->n_sides && ok; k++) {
         uint32_t f = t->side[k];
         if (f == IL_CHART_NONE || il_chart_is_frame(c, k / 2))
@@ -246,14 +253,14 @@ typedef struct spot {
     size_t edge;
 } spot;
 
-/* Is edge K one on which points can be put?  Where lines run along the frame or end at both
- * ends on one level it is theirs. */
+/* Is edge K one to look at?  Not where the triangle across is still to come, which will; where lines
+ * run along the frame, or end at both of its ends on one level, it is theirs. */
 static bool is_open_edge(const detail *d, size_t k)
 {
     const il_chart *c = d->r.c;
-    uint32_t e = d->r.t->edge[k];
+    uint32_t e = d->r.t->edge[k], across = d->r.t->across[k];
     if (e == IL_CHART_NONE)
-        return true;
+        return across == IL_CHART_NONE || !d->is_queued[across];
     const il_chart_node *a = &c->node[d->r.t->corner[k]], *b = &c->node[d->r.t->corner[il_tin_after(k)]];
     return il_chart_is_frame(c, e) && !(a->level >= 0 && b->level >= 0 && a->level <= b->top && b->level <= a->top);
 }
@@ -285,12 +292,11 @@ static void weigh(const detail *d, size_t triangle, const double w[3], double in
         *worst = (spot){ { p[0], p[1] }, off, edge != SIZE_MAX && d->r.t->edge[edge] != IL_CHART_NONE ? edge : SIZE_MAX };
 }
 
+/* By its area: long thin triangles lie beside each other, and what one misses another sees. */
 static int count_steps(const detail *d, size_t triangle)
 {
-    double longest = 0, grain = d->grain[face_of(d, triangle)];
-    for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++)
-        longest = fmax(longest, distance(place(d, k), place(d, il_tin_after(k))));
-    return grain > 0 ? (int)fmin(fmax(ceil(longest / (2 * grain)), STEPS_LEAST), STEPS_MOST) : STEPS_LEAST;
+    double grain = fmax(STEP * d->grain[face_of(d, triangle)], d->coarse), side = sqrt(il_tin_area2(d->r.t, d->r.c, triangle));
+    return grain > 0 ? (int)fmin(fmax(ceil(side / grain), STEPS_LEAST), STEPS_MOST) : STEPS_LEAST;
 }
 
 /* Of the points that divide its edges into equal steps, and those between them, and its middle. */

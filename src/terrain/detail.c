@@ -5,6 +5,7 @@
 #include "terrain/refine.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* Of a face's grain: how near to others a node may be put.  Of the whole map's mean edge: no face's
  * grain is finer, and no shorter chord is broken, where lines all but meet. */
@@ -40,11 +41,6 @@ static double height(const detail *d, size_t k)
 static uint32_t face_of(const detail *d, size_t triangle)
 {
     return d->r.t->face[triangle];
-}
-
-static double distance(const double a[2], const double b[2])
-{
-    return hypot(b[0] - a[0], b[1] - a[1]);
 }
 
 /* ---- heights for what has none ------------------------------------------------ */
@@ -209,15 +205,16 @@ static void cross(const detail *d, size_t k, double p[2], double off[2])
     off[1] = fabs(height(d, c) + t * (height(d, e) - height(d, c)) - z);
 }
 
-/* Is the other diagonal over edge K no chord, and nearer to the law? */
-static bool is_better_across(const detail *d, size_t k)
+/* Is the other diagonal over edge K no chord, and nearer to the law: off by less than GAIN times
+ * what K is off, which is more than LEAST intervals? */
+static bool is_better_across(const detail *d, size_t k, double least, double gain)
 {
     size_t j = il_tin_twin(d->r.t, k);
     double p[2], off[2];
     if (!il_refine_is_convex(&d->r, k) || is_level(d, il_tin_after(il_tin_after(k)), il_tin_after(il_tin_after(j))))
         return false;
     cross(d, k, p, off);
-    return off[0] > d->tolerance * il_law_interval(d->law, face_of(d, k / 3)) && off[1] < off[0];
+    return off[0] > least * il_law_interval(d->law, face_of(d, k / 3)) && off[1] < gain * off[0];
 }
 
 static bool break_chord(detail *d, size_t k, bool *done)
@@ -225,7 +222,7 @@ static bool break_chord(detail *d, size_t k, bool *done)
     const double *a = place(d, k), *b = place(d, il_tin_after(k));
     const double p[2] = { a[0] + (b[0] - a[0]) / 2, a[1] + (b[1] - a[1]) / 2 };
     *done = false;
-    if (is_better_across(d, k)) {
+    if (is_better_across(d, k, d->tolerance, 1)) {
         *done = true;
         return il_refine_flip(&d->r, k) && add_star(d);
     }
@@ -265,6 +262,12 @@ static bool is_open_edge(const detail *d, size_t k)
     return il_chart_is_frame(c, e) && !(a->level >= 0 && b->level >= 0 && a->level <= b->top && b->level <= a->top);
 }
 
+static bool is_near(const double a[2], const double b[2], double distance)
+{
+    double x = b[0] - a[0], y = b[1] - a[1];
+    return x * x + y * y < distance * distance;
+}
+
 /* The point that divides the way from A to B as T does, exactly on it where that is upright or level. */
 static void divide(const double a[2], const double b[2], double t, double p[2])
 {
@@ -285,7 +288,7 @@ static void weigh(const detail *d, size_t triangle, const double w[3], double in
     else
         divide(place(d, edge), place(d, next), w[next - k], p);
     for (size_t i = 0; i < 3; i++)
-        if (distance(place(d, k + i), p) < NEAREST * d->grain[face_of(d, triangle)])
+        if (is_near(place(d, k + i), p, NEAREST * d->grain[face_of(d, triangle)]))
             return;
     double off = fabs(law_at(d, triangle, p) - z) / interval;
     if (off > worst->off)
@@ -330,6 +333,21 @@ static bool put_at_worst(detail *d, size_t triangle)
     return s.off <= d->tolerance || put(d, triangle, s.edge, s.p, NEAREST * d->grain[face_of(d, triangle)], &done);
 }
 
+/* ---- diagonals ------------------------------------------------------------------------- */
+
+/* Those that are off the law by half the tolerance or more, where the other is off by less than half
+ * as much: it costs no vertex, and a degree of the median angle.  Once, for one may lead to another. */
+static bool turn_diagonals(detail *d)
+{
+    for (size_t k = 0; k < 3 * d->r.t->n; k++) {
+        if (face_of(d, k / 3) == IL_CHART_NONE || !is_inner(d, k) || d->r.t->across[k] < k / 3)
+            continue;
+        if (is_better_across(d, k, d->tolerance / 2, 0.5) && !il_refine_flip(&d->r, k))
+            return false;
+    }
+    return true;
+}
+
 /* ---- all of it ------------------------------------------------------------------------ */
 
 il_status il_detail_insert(il_tin *t, il_chart *c, const il_law *law, const il_placement_options *o, double tolerance,
@@ -341,7 +359,7 @@ il_status il_detail_insert(il_tin *t, il_chart *c, const il_law *law, const il_p
     ok = ok && visit_all(&d, break_chords);
     d.tolerance = tolerance;
     if (tolerance > 0)
-        ok = ok && visit_all(&d, put_at_worst);
+        ok = ok && visit_all(&d, put_at_worst) && (getenv("NOFLIP") || turn_diagonals(&d));
     il_refine_end(&d.r);
     il_free(d.grain);
     il_free(d.queue);

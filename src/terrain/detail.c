@@ -5,25 +5,25 @@
 #include "terrain/refine.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Of a face's grain: how near to others a node may be put.  Of the whole map's mean edge: no face's
  * grain is finer, and no shorter chord is broken, where lines all but meet. */
 static const double NEAREST = 0.25, FINEST = 0.4, CHORD = 0.001;
 
-/* A triangle is looked at in so many steps along its edges, each about so many grains long. */
-static const double STEP = 1, FINER = 8;
+/* A triangle is looked at in so many steps along its edges, each about a grain long, and no finer
+ * than LOOKS for each node of the chart would be on the whole map: looking is linear in those. */
+static const double LOOKS = 8;
 enum { STEPS_LEAST = 2, STEPS_MOST = 8 };
 
-/* grain[face], and mean, of all edges, the mesh's unit; coarse: the side of a square that one
- * of FINER nodes of the chart would have to itself.  queue[n_queue]: triangles to be looked at; is_queued[triangle].
- * tolerance: of the step at hand, in intervals. */
+/* grain[face], mean: of all edges, and step: the least of a look, the mesh's unit.
+ * queue[n_queue]: triangles to be looked at; is_queued[triangle].  tolerance: of what is done at
+ * the time, in intervals. */
 typedef struct detail {
     il_refine r;
     const il_law *law;
     const il_placement_options *o;
     double tolerance;
-    double *grain, mean, coarse;
+    double *grain, mean, step;
     uint32_t *queue;         size_t n_queue, cap_queue;
     unsigned char *is_queued; size_t n_flags, cap_flags;
 } detail;
@@ -58,35 +58,42 @@ static void raise_rest(const detail *d)
 
 /* ---- grain ---------------------------------------------------------------------- */
 
-/* Of each face: the mean length of its lines' edges, or its area over half their length, which
- * is how far apart they lie, whichever is less. */
-static bool find_grain(detail *d)
+/* Twice the area of each face, and of all of them; the length of its lines, and how many edges. */
+static void measure(const detail *d, double *area2, double *length, size_t *edges, double *whole2)
 {
     const il_tin *t = d->r.t;
     const il_chart *c = d->r.c;
-    double sum = 0, n = 0, *area2 = il_calloc(t->n_faces, sizeof *area2), *length = il_calloc(t->n_faces, sizeof *length);
-    size_t *edges = il_calloc(t->n_faces, sizeof *edges);
-    d->grain = il_calloc(t->n_faces, sizeof *d->grain);
-    bool ok = area2 && length && edges && d->grain;
-    double whole = 0;
-    for (size_t k = 0; k < t->n && ok; k++) {
-        double a = t->face[k] == IL_CHART_NONE ? 0 : il_tin_area2(t, c, k);
-        whole += a;
-        if (a > 0)
-            area2[t->face[k]] += a;
+    for (size_t k = 0; k < t->n; k++) {
+        if (t->face[k] == IL_CHART_NONE)
+            continue;
+        double a = il_tin_area2(t, c, k);
+        *whole2 += a;
+        area2[t->face[k]] += a;
     }
-    d->coarse = sqrt(whole / 2 / (FINER * (double)c->n_nodes));
-    for (size_t k = 0; k < 2 * t->n_sides && ok; k++) {
+    for (size_t k = 0; k < 2 * t->n_sides; k++) {
         uint32_t f = t->side[k];
         if (f == IL_CHART_NONE || il_chart_is_frame(c, k / 2))
             continue;
         length[f] += il_chart_length(c, k / 2);
         edges[f]++;
     }
-    for (size_t f = 0; f < t->n_faces && ok; f++)
-        sum += length[f], n += (double)edges[f];
-    d->mean = n > 0 ? sum / n : 0;
-    for (size_t f = 0; f < t->n_faces && ok; f++)
+}
+
+/* Of each face: the mean length of its lines' edges, or its area over half their length, which
+ * is how far apart they lie, whichever is less. */
+static bool find_grain(detail *d)
+{
+    size_t n = d->r.t->n_faces, *edges = il_calloc(n, sizeof *edges);
+    double *area2 = il_calloc(n, sizeof *area2), *length = il_calloc(n, sizeof *length), whole2 = 0, sum = 0, count = 0;
+    d->grain = il_calloc(n, sizeof *d->grain);
+    bool ok = edges && area2 && length && d->grain;
+    if (ok)
+        measure(d, area2, length, edges, &whole2);
+    for (size_t f = 0; f < n && ok; f++)
+        sum += length[f], count += (double)edges[f];
+    d->mean = count > 0 ? sum / count : 0;
+    d->step = whole2 > 0 ? sqrt(whole2 / 2 / (LOOKS * (double)d->r.c->n_nodes)) : 0;
+    for (size_t f = 0; f < n && ok; f++)
         d->grain[f] = fmax(edges[f] > 0 ? fmin(length[f] / (double)edges[f], area2[f] / length[f]) : 0, FINEST * d->mean);
     il_free(area2);
     il_free(length);
@@ -190,19 +197,22 @@ static bool is_inner(const detail *d, size_t k)
     return d->r.t->edge[k] == IL_CHART_NONE && d->r.t->across[k] != IL_CHART_NONE;
 }
 
-/* Where the edge K and the other diagonal of its two triangles cross: *P, and how far each is
- * off the law there, in the unit of heights.  The triangles form a convex quadrangle. */
-static void cross(const detail *d, size_t k, double p[2], double off[2])
+/* How far edge K and the other diagonal of its two triangles, which form a convex quadrangle, are
+ * off the law where they cross, in the unit of heights. */
+static bool cross(const detail *d, size_t k, double off[2])
 {
     size_t j = il_tin_twin(d->r.t, k), c = il_tin_after(il_tin_after(k)), e = il_tin_after(il_tin_after(j));
     const double *a = place(d, k), *b = place(d, j), *from = place(d, c), *to = place(d, e);
     double ab[2] = { b[0] - a[0], b[1] - a[1] }, ce[2] = { to[0] - from[0], to[1] - from[1] };
-    double ac[2] = { from[0] - a[0], from[1] - a[1] }, area = ab[0] * ce[1] - ab[1] * ce[0];
+    double ac[2] = { from[0] - a[0], from[1] - a[1] }, area = ab[0] * ce[1] - ab[1] * ce[0], p[2];
     double s = (ac[0] * ce[1] - ac[1] * ce[0]) / area, t = (ac[0] * ab[1] - ac[1] * ab[0]) / area;
+    if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
+        return false; /* too thin for numbers */
     p[0] = a[0] + s * ab[0], p[1] = a[1] + s * ab[1];
     double z = law_at(d, k / 3, p);
     off[0] = fabs(height(d, k) + s * (height(d, j) - height(d, k)) - z);
     off[1] = fabs(height(d, c) + t * (height(d, e) - height(d, c)) - z);
+    return true;
 }
 
 /* Is the other diagonal over edge K no chord, and nearer to the law: off by less than GAIN times
@@ -210,11 +220,10 @@ static void cross(const detail *d, size_t k, double p[2], double off[2])
 static bool is_better_across(const detail *d, size_t k, double least, double gain)
 {
     size_t j = il_tin_twin(d->r.t, k);
-    double p[2], off[2];
+    double off[2];
     if (!il_refine_is_convex(&d->r, k) || is_level(d, il_tin_after(il_tin_after(k)), il_tin_after(il_tin_after(j))))
         return false;
-    cross(d, k, p, off);
-    return off[0] > least * il_law_interval(d->law, face_of(d, k / 3)) && off[1] < gain * off[0];
+    return cross(d, k, off) && off[0] > least * il_law_interval(d->law, face_of(d, k / 3)) && off[1] < gain * off[0];
 }
 
 static bool break_chord(detail *d, size_t k, bool *done)
@@ -298,30 +307,35 @@ static void weigh(const detail *d, size_t triangle, const double w[3], double in
 /* By its area: long thin triangles lie beside each other, and what one misses another sees. */
 static int count_steps(const detail *d, size_t triangle)
 {
-    double grain = fmax(STEP * d->grain[face_of(d, triangle)], d->coarse), side = sqrt(il_tin_area2(d->r.t, d->r.c, triangle));
+    double grain = fmax(d->grain[face_of(d, triangle)], d->step), side = sqrt(il_tin_area2(d->r.t, d->r.c, triangle));
     return grain > 0 ? (int)fmin(fmax(ceil(side / grain), STEPS_LEAST), STEPS_MOST) : STEPS_LEAST;
 }
 
-/* Of the points that divide its edges into equal steps, and those between them, and its middle. */
-static spot find_worst(const detail *d, size_t triangle)
+/* Of the points that divide its edges into N equal steps, and those between them.  *SEEN: how many. */
+static spot look_at(const detail *d, size_t triangle, int n, double interval, int *seen)
 {
     spot worst = { { 0, 0 }, 0, SIZE_MAX };
-    double interval = il_law_interval(d->law, face_of(d, triangle));
-    int n = count_steps(d, triangle);
-    bool open[3];
-    for (size_t k = 0; k < 3; k++)
-        open[k] = is_open_edge(d, 3 * triangle + k);
-    for (int i = 0; i <= n; i++)
+    bool open[4] = { is_open_edge(d, 3 * triangle), is_open_edge(d, 3 * triangle + 1), is_open_edge(d, 3 * triangle + 2), true };
+    for (int i = 0; i < n; i++)
         for (int j = 0; j <= n - i; j++) {
             int l = n - i - j;
-            if (i == n || j == n || l == n)
-                continue;
-            size_t k = l == 0 ? 0 : i == 0 ? 1 : j == 0 ? 2 : 3;
-            if (k < 3 && !open[k])
+            if (j == n || l == n || !open[l == 0 ? 0 : i == 0 ? 1 : j == 0 ? 2 : 3])
                 continue;
             weigh(d, triangle, (double[3]){ (double)i / n, (double)j / n, (double)l / n }, interval, &worst);
+            ++*seen;
         }
-    if (n % 3 != 0)
+    return worst;
+}
+
+/* Likewise, and its middle, unless it is small and nothing is wrong at its edges: that costs no
+ * vertex, and saves a third of all looks. */
+static spot find_worst(const detail *d, size_t triangle)
+{
+    int n = count_steps(d, triangle), seen = 0;
+    double interval = il_law_interval(d->law, face_of(d, triangle));
+    spot worst = look_at(d, triangle, n, interval, &seen);
+    bool is_settled = n == STEPS_LEAST && seen > 0 && worst.off < d->tolerance / 2;
+    if (n % 3 != 0 && !is_settled)
         weigh(d, triangle, (double[3]){ 1. / 3, 1. / 3, 1. / 3 }, interval, &worst);
     return worst;
 }
@@ -359,7 +373,7 @@ il_status il_detail_insert(il_tin *t, il_chart *c, const il_law *law, const il_p
     ok = ok && visit_all(&d, break_chords);
     d.tolerance = tolerance;
     if (tolerance > 0)
-        ok = ok && visit_all(&d, put_at_worst) && (getenv("NOFLIP") || turn_diagonals(&d));
+        ok = ok && visit_all(&d, put_at_worst) && turn_diagonals(&d);
     il_refine_end(&d.r);
     il_free(d.grain);
     il_free(d.queue);

@@ -83,7 +83,7 @@ holds "at all" test ! -s err
 
 exits 0 "info says what is in it" "$ISOLOFT" info "$vase"
 for word in "slices      33, z from 0 to 64 mm" "spacing     2 mm" "points      6000" "repairs     none" "components  1, genus 2" \
-    "volume      215[56][0-9]"; do
+    "volume      2152[0-9]"; do
     holds "info: $word" grep -q "$word" out
 done
 exits 0 "info goes on where a stack has no surface" "$ISOLOFT" info a.loft "$vase"

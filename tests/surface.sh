@@ -140,7 +140,7 @@ done
 holds "those of OBJ are the same" grep -q '^# stack 0 offset 500300.5 4000200.3 0$' out
 "$ISOLOFT" -q volcano.loft -t ply-ascii >out
 holds "without any of that nothing is said" sh -c '! grep -q -e offset -e scale out'
-holds "a header of STL has the offset" sh -c 'head -c 80 volcano.stl | tr -d "\0" | grep -q "^STL isoloft offset 500300.5 4000200.3 [0-9.]* volcano$"'
+holds "a header of STL has the offset" sh -c 'head -c 80 volcano.stl | tr -d "\0" | grep -q "^STL isoloft offset 500300.5 4000200.3 [-0-9.]* volcano$"'
 "$ISOLOFT" -q volcano.loft --no-recentre -o x.stl
 holds "but for --no-recentre" sh -c 'head -c 80 x.stl | tr -d "\0" | grep -qx "STL isoloft volcano"'
 sed 's/^unit m/unit deg/' saddle.loft >degrees.loft
@@ -167,7 +167,7 @@ row 'mesh area' '1[0-9.]* m^2$'
 holds "it has no volume" sh -c '! grep -q "^  volume" out'
 exits 0 "and a solid" "$ISOLOFT" info cone.loft --solid --recentre --fit 200
 row surface 'certified, a solid; '
-row offset '500300.5 4000200.3 [0-9.]* m$'
+row offset '500300.5 4000200.3 [-0-9.]* m$'
 row scale '0.5 0.5 0.5; a vertex times scale'
 row volume '[0-9.]*e\?[+0-9]* mm^3$'
 if command -v jq >/dev/null; then

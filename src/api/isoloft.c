@@ -234,7 +234,9 @@ static il_status build_lofter(work *w, bool rounds, il_error *err)
 {
     il_loft_options o = IL_LOFT_OPTIONS_INIT;
     o.threads = threads_of(&w->settings);
-    o.cap = w->settings.dome ? IL_CAP_DOME : IL_CAP_FLAT;
+    o.cap = w->settings.dome == 2 ? IL_CAP_AUTO : w->settings.dome ? IL_CAP_DOME : IL_CAP_FLAT;
+    int between = w->settings.between;
+    o.between = between == 0 ? IL_BETWEEN_AUTO : between < 0 ? 0 : between < IL_BETWEEN_MOST ? between : IL_BETWEEN_MOST;
     o.round_float = rounds;
     w->tally.sink = (il_mesh_sink){ tally_begin, tally_piece, tally_end, tally_abandon, tally_finish };
     return il_lofter_new(&w->lofter, &o, &w->tally.sink, err);

@@ -89,7 +89,7 @@ static void widen(double box[6], double x, double y, double z)
 static il_status count_slice(il_account *a, const il_slice *slice, il_error *err)
 {
     il_stack_account *s = current(a);
-    bool counts = !il_slice_is_inserted(slice);
+    bool counts = s->is_terrain || !il_slice_is_inserted(slice);
     s->slices++;
     s->rings += slice->n;
     for (size_t i = 0; i < slice->n; i++) {

@@ -26,7 +26,7 @@ typedef struct il_gap {
 
 /* Lengths in the stack's unit.  name: UTF-8 as the input has it.  box: least
  * x, y, z and greatest x, y, z; least > greatest when there is no vertex.  Slices
- * of inserted vertices alone count for the box and the surface only, unless there
+ * of solids of inserted vertices alone count for the box and the surface only, unless there
  * are no others.
  * set_spacing: usual in the set that the stack came from, 0 unknown.  type,
  * algorithm, frame_uid: of an ROI, or null.  planes: where slices lie otherwise

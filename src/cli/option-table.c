@@ -191,10 +191,13 @@ static il_status set_keyhole(il_options *o, const char *value, bool on, il_error
 static il_status set_cap(il_options *o, const char *value, bool on, il_error *err)
 {
     (void)on;
-    if (strcmp(value, "flat") != 0 && strcmp(value, "dome") != 0)
-        return il_fail(err, IL_E_USAGE, 0, "--cap is flat or dome, not '%.40s'", value);
-    o->cap = strcmp(value, "dome") == 0 ? IL_CAP_DOME : IL_CAP_FLAT;
-    return IL_OK;
+    static const char *const words[] = { [IL_CAP_FLAT] = "flat", [IL_CAP_DOME] = "dome", [IL_CAP_AUTO] = "auto" };
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strcmp(value, words[k]) == 0) {
+            o->cap = (il_cap)k;
+            return IL_OK;
+        }
+    return il_fail(err, IL_E_USAGE, 0, "--cap is flat, dome or auto, not '%.40s'", value);
 }
 
 static il_status set_between(il_options *o, const char *value, bool on, il_error *err)
@@ -606,7 +609,7 @@ const il_option il_option_table[] = {
       NULL, "maps: scaled to a longer side of 150mm, 6in ...", set_fit },
     { 0, "recentre", NULL, IL_OPTION_SWITCH, LOFTERS,
       NULL, "maps: the middle goes to 0, 0; default for STL", set_recentre },
-    { 0, "cap", "flat|dome", IL_OPTION_VALUE, LOFTERS,
+    { 0, "cap", "flat|dome|auto", IL_OPTION_VALUE, LOFTERS,
       "how the first and last slice are closed", "how first and last slice are closed; else flat", set_cap },
     { 0, "between", "N|auto", IL_OPTION_VALUE_OR_NO, LOFTERS,
       NULL, "contours in each slab; of maps: with -t loft", set_between },

@@ -23,6 +23,7 @@
 #include "region/joiner.h"
 #include "region/keyhole.h"
 #include "region/measure.h"
+#include "terrain/isolines.h"
 
 #include <string.h>
 #include <sys/resource.h>
@@ -38,7 +39,7 @@ typedef struct pipeline {
     il_destination *destination;
     il_output *pairs, *links_out;
     il_given given;
-    il_sink *pairs_writer, *links_writer, *lofter, *relief, *rounder, *tee, *links_tee, *survey, *survey_tee, *matcher, *linker;
+    il_sink *pairs_writer, *links_writer, *lofter, *relief, *isolines, *rounder, *tee, *links_tee, *survey, *survey_tee, *matcher, *linker;
     il_sink *unlinked, *gapper, *measure, *joiner, *cleaner, *ras, *rescaler;
     il_sink *select, *guard, *first;
     il_frame_file outline;
@@ -176,6 +177,14 @@ static int threads_of(const il_options *o)
     return n < IL_THREADS_MOST ? n : IL_THREADS_MOST;
 }
 
+static il_relief_options relief_options(pipeline *p)
+{
+    il_relief_options r = p->options->relief;
+    if (p->options->frame_file)
+        r.frame = il_frame_file_frame(&p->outline);
+    return r;
+}
+
 /* The last stage of solids, and before it that of terrain, which takes its own. */
 static il_status build_surfaces(pipeline *p, il_mesh_sink *meshes, il_error *err)
 {
@@ -187,9 +196,7 @@ static il_status build_surfaces(pipeline *p, il_mesh_sink *meshes, il_error *err
     l.round_float = o->to && o->to->round_float;
     l.progress = il_account_progress;
     l.progress_self = p->account;
-    il_relief_options r = o->relief;
-    if (o->frame_file)
-        r.frame = il_frame_file_frame(&p->outline);
+    il_relief_options r = relief_options(p);
     il_status st = il_lofter_new(&p->lofter, &l, meshes, err);
     if (st == IL_OK)
         st = il_relief_new(&p->relief, &r, meshes, p->lofter, &p->account->report, err);
@@ -198,18 +205,35 @@ static il_status build_surfaces(pipeline *p, il_mesh_sink *meshes, il_error *err
     return st;
 }
 
+/* What takes terrain looks at an outline too: whether it is one for that map. */
+static il_status build_guard(pipeline *p, il_sink *next, il_sink **end, il_error *err)
+{
+    *end = next;
+    if (!p->options->frame_file)
+        return IL_OK;
+    il_status st = il_frame_file_guard_new(&p->guard, &p->outline, next, err);
+    *end = p->guard;
+    return st;
+}
+
+/* The end of contours: the writer, and before it those that a map gets between its levels. */
+static il_status build_contours(pipeline *p, il_sink **end, il_error *err)
+{
+    *end = p->plan->survey ? &p->nowhere : il_destination_contours(p->destination);
+    if (p->options->between <= 0)
+        return IL_OK;
+    il_relief_options r = relief_options(p);
+    il_status st = il_isolines_new(&p->isolines, &r, (size_t)p->options->between, *end, &p->account->report, err);
+    return st == IL_OK ? build_guard(p, p->isolines, end, err) : st;
+}
+
 static il_status build_end(pipeline *p, il_sink **end, il_error *err)
 {
-    if (!p->plan->loft) {
-        *end = p->plan->survey ? &p->nowhere : il_destination_contours(p->destination);
-        return IL_OK;
-    }
+    if (!p->plan->loft)
+        return build_contours(p, end, err);
     il_mesh_sink *meshes = p->plan->survey ? &p->nowhere_mesh : il_destination_meshes(p->destination);
     il_status st = build_surfaces(p, il_account_meshes(p->account, meshes), err);
-    if (st == IL_OK && p->options->frame_file)
-        st = il_frame_file_guard_new(&p->guard, &p->outline, p->relief, err);
-    *end = p->guard ? p->guard : p->relief;
-    return st;
+    return st == IL_OK ? build_guard(p, p->relief, end, err) : st;
 }
 
 static il_status build_rounder(pipeline *p, il_error *err)
@@ -391,6 +415,7 @@ static void free_pipeline(pipeline *p)
         il_cleaner_free(p->rounder);
     il_frame_file_guard_free(p->guard);
     il_relief_free(p->relief);
+    il_isolines_free(p->isolines);
     il_frame_file_free(&p->outline);
     if (p->lofter)
         il_lofter_free(p->lofter);
@@ -495,6 +520,8 @@ static const char *note_on_solids(const il_options *o)
         { "solid", "--solid is for terrain, which this is not" }, { "z-scale", "--z-scale is for terrain, which this is not" },
         { "fit", "--fit is for terrain, which this is not" }, { "recentre", "--recentre is for terrain, which this is not" },
         { "high", "--high is for terrain, which this is not" } };
+    if (o->between > 0 && o->to && !o->to->mesh_new)
+        return "--between puts contours of solids into meshes alone, and none into a native stream";
     return find_note(o, c, sizeof c / sizeof *c);
 }
 
@@ -505,6 +532,8 @@ static const char *note_on_terrain(const il_options *o)
         { "cap", "--cap is for slices of solids, and terrain has none" }, { "gap", "--gap is for slices of solids, and terrain has none" },
         { "thickness", "--thickness is for slices of solids, and terrain has none" },
         { "matcher", "--matcher is for slices of solids, and terrain has none" } };
+    if (o->between > 0 && o->to && o->to->mesh_new)
+        return "--between changes no surface of terrain: with -t loft it writes isolines";
     if (o->verb == IL_VERB_MATCH)
         return "terrain has no pairs to match, and is passed on as it is";
     return find_note(o, c, sizeof c / sizeof *c);

@@ -169,7 +169,6 @@ il_status il_certify_unfolded(const il_surface *s, const il_section *lower, cons
 
 /* ---- (c): triangles in space ---- */
 
-/* Vertices of the slab in one row: lower nodes, upper nodes, inner points. */
 typedef struct soup {
     double *xyz;
     uint32_t *tri;
@@ -178,22 +177,13 @@ typedef struct soup {
 
 static bool make_soup(soup *m, const il_surface *s, const il_section *lower, const il_section *upper)
 {
-    const il_section *section[2] = { lower, upper };
-    size_t base[3] = { 0, lower->n_nodes, lower->n_nodes + upper->n_nodes };
-    m->n_vertices = base[2] + s->n_inner;
-    m->xyz = il_alloc(m->n_vertices, 3 * sizeof *m->xyz);
+    m->n_vertices = lower->n_nodes + upper->n_nodes + s->n_inner;
+    m->xyz = il_surface_positions(s, lower, upper);
     m->tri = il_alloc(s->n_triangles, 3 * sizeof *m->tri);
     if (!m->xyz || !m->tri)
         return false;
-    for (int k = 0; k < 2; k++)
-        for (size_t i = 0; i < section[k]->n_nodes; i++) {
-            double *p = m->xyz + 3 * (base[k] + i);
-            p[0] = section[k]->xy[2 * i], p[1] = section[k]->xy[2 * i + 1], p[2] = section[k]->z;
-        }
-    if (s->n_inner > 0)
-        memcpy(m->xyz + 3 * base[2], s->inner, 3 * s->n_inner * sizeof *s->inner);
     for (size_t i = 0; i < 3 * s->n_triangles; i++)
-        m->tri[i] = (uint32_t)(base[IL_CODE_WHERE(s->tri[i])] + IL_CODE_INDEX(s->tri[i]));
+        m->tri[i] = (uint32_t)il_surface_row(lower, upper, s->tri[i]);
     return true;
 }
 

@@ -176,7 +176,7 @@ static il_status push_start(lofter *l, bool dome, il_error *err)
 /* The run is over: GAP to the next slice, 0 at the end of the stack. */
 static il_status end_run(lofter *l, double gap, il_error *err)
 {
-    bool dome = l->options.cap == IL_CAP_DOME;
+    bool dome = l->options.cap != IL_CAP_FLAT;
     int32_t last = l->n_slices - (l->due ? 2 : 1);
     if (l->n_run == 1 && !l->hollow) {
         char z[IL_NUMBER_MAX];
@@ -195,7 +195,7 @@ static il_status begin_run(lofter *l, double gap, il_error *err)
     il_pair between = { .gap = gap > 0 };
     l->gap = gap;
     l->n_run = 1;
-    if (l->options.cap != IL_CAP_DOME)
+    if (l->options.cap == IL_CAP_FLAT)
         return push(l, &l->newest, l->n_slices - 1, false, &between, err);
     l->start = l->newest;
     l->newest = (il_section)IL_SECTION_INIT;
@@ -205,7 +205,7 @@ static il_status begin_run(lofter *l, double gap, il_error *err)
 static il_status continue_run(lofter *l, il_pair *pair, il_error *err)
 {
     il_status st = IL_OK;
-    if (l->options.cap == IL_CAP_DOME && l->n_run == 1)
+    if (l->options.cap != IL_CAP_FLAT && l->n_run == 1)
         st = push_start(l, true, err);
     l->n_run++;
     return st == IL_OK ? push(l, &l->newest, l->n_slices - 1, false, pair, err) : st;
@@ -317,7 +317,7 @@ il_status il_lofter_new(il_sink **out, const il_loft_options *o, il_mesh_sink *n
     l->options = *o;
     l->next = next;
     l->stack = -1;
-    il_status st = il_window_start(&l->window, o->threads, o->round_float, err);
+    il_status st = il_window_start(&l->window, o, err);
     if (st != IL_OK) {
         il_free(l);
         return st;

@@ -5,7 +5,8 @@
 #include "model/mesh.h"
 #include "model/sink.h"
 
-typedef enum il_cap { IL_CAP_FLAT, IL_CAP_DOME } il_cap;
+/* Flat, a dome of half a spacing, or one that goes on as the solid leans, of at most that. */
+typedef enum il_cap { IL_CAP_FLAT, IL_CAP_DOME, IL_CAP_AUTO } il_cap;
 
 /* How many contours are put between two slices: as many as the surface needs, or a number
  * up to the most that may be asked for. */
@@ -13,7 +14,8 @@ enum { IL_BETWEEN_AUTO = -1, IL_BETWEEN_MOST = 64 };
 
 /* threads: at least 1; the mesh is the same for any number.  cap: how the first
  * and last slice are closed, and those at gaps.  round_float: positions are rounded to 32-bit
- * floats before they are certified (STL).  between: contours put into each slab. */
+ * floats before they are certified (STL).  between: contours put
+ * between each two slices, on smooth curves through several (loft/curve.h); 0 leaves straight strips. */
 typedef struct il_loft_options {
     int threads;
     il_cap cap;

@@ -9,6 +9,8 @@
 void il_slab_free(il_slab *s)
 {
     il_surface_free(&s->surface);
+    il_free(s->lean[0].slope);
+    il_free(s->lean[1].slope);
     memset(s, 0, sizeof *s);
 }
 

@@ -3,6 +3,7 @@
 #define IL_LOFT_SLAB_H
 
 #include "loft/certificate.h"
+#include "loft/lean.h"
 #include "model/pair.h"
 
 /* A slab and how it came about: the verdict of the attempt that passed, or why
@@ -10,13 +11,14 @@
  * attempts that settled them; length_alone: of those that nothing corresponds
  * to in the other slice; unit.  gap: nothing joins the sections; they have
  * lids, which are laid when the neighbours have inserted their points, so that
- * il_slab_follow makes them. */
+ * il_slab_follow makes them.  lean[side]: how it leans at its sections, once it has followed. */
 typedef struct il_slab {
     bool gap;
     il_surface surface;
     il_verdict verdict;
     double length_by[IL_N_ATTEMPTS], length_alone;
     size_t n_nodes[2];   /* of its sections, with its own insertions */
+    il_lean lean[2];
 } il_slab;
 
 #define IL_SLAB_INIT { 0 }

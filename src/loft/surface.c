@@ -14,6 +14,20 @@ void il_surface_free(il_surface *s)
     *s = (il_surface)IL_SURFACE_INIT;
 }
 
+double *il_surface_positions(const il_surface *s, const il_section *lower, const il_section *upper)
+{
+    const il_section *section[2] = { lower, upper };
+    double *xyz = il_alloc(lower->n_nodes + upper->n_nodes + s->n_inner, 3 * sizeof *xyz), *p = xyz;
+    if (!xyz)
+        return NULL;
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; i < section[k]->n_nodes; i++, p += 3)
+            p[0] = section[k]->xy[2 * i], p[1] = section[k]->xy[2 * i + 1], p[2] = section[k]->z;
+    if (s->n_inner > 0)
+        memcpy(p, s->inner, 3 * s->n_inner * sizeof *p);
+    return xyz;
+}
+
 bool il_surface_add_triangle(il_surface *s, uint32_t a, uint32_t b, uint32_t c)
 {
     if (!il_grow(&s->tri, &s->cap_triangles, 3 * (s->n_triangles + 1), sizeof *s->tri))

@@ -28,6 +28,16 @@ typedef struct il_surface {
 #define IL_SURFACE_INIT { 0 }
 void il_surface_free(il_surface *s);
 
+/* The vertices in one row: the nodes of LOWER, those of UPPER, the inner points. */
+static inline size_t il_surface_row(const il_section *lower, const il_section *upper, uint32_t code)
+{
+    size_t before[3] = { 0, lower->n_nodes, lower->n_nodes + upper->n_nodes };
+    return before[IL_CODE_WHERE(code)] + IL_CODE_INDEX(code);
+}
+
+/* Where they stand, x y z; the caller's, to il_free.  Null without memory. */
+double *il_surface_positions(const il_surface *s, const il_section *lower, const il_section *upper);
+
 bool il_surface_add_triangle(il_surface *s, uint32_t a, uint32_t b, uint32_t c);
 
 /* Append an inner point; its code, or UINT32_MAX without memory. */

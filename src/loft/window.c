@@ -1,6 +1,8 @@
 #include "config.h"
 #include "loft/window.h"
 #include "base/alloc.h"
+#include "loft/curve.h"
+#include "loft/dome.h"
 #include "loft/pinch.h"
 
 #include <math.h>
@@ -41,13 +43,39 @@ static il_status split_pinches(il_window_place *p, const il_section *upper, bool
     return st;
 }
 
-static void finish(const il_window *w, il_window_place *p, const il_section *upper)
+/* Is there no more than a dome between P and ABOVE? */
+static bool is_dome(const il_window_place *p, const il_window_place *above)
 {
+    return p->beyond || above->beyond;
+}
+
+/* Domes follow the solid, and not the other way round. */
+static void finish(const il_window *w, il_window_place *p, const il_window_place *above)
+{
+    const il_section *upper = &above->section;
     p->status = il_slab_follow(&p->slab, &p->section, upper, &p->error);
     if (p->status == IL_OK && p->slab.verdict.multiple > 0)
         p->status = split_pinches(p, upper, w->round_float);
+    for (int side = 0; side < 2 && p->status == IL_OK && !p->slab.gap && !is_dome(p, above); side++)
+        p->status = il_lean_measure(&p->slab.lean[side], &p->slab.surface, &p->section, upper, side, &p->error);
+}
+
+/* next[side]: the slab beside P's, null where there is none. */
+static void bend(const il_window *w, il_window_place *p, const il_window_place *above, const il_window_place *const next[2])
+{
+    il_lean beyond[2] = { IL_LEAN_INIT, IL_LEAN_INIT };
+    il_surface *s = &p->slab.surface;
+    for (int side = 0; side < 2; side++)
+        if (next[side])
+            beyond[side] = next[side]->slab.lean[1 - side];
+    if (is_dome(p, above) && w->cap == IL_CAP_AUTO && !p->slab.gap) {
+        int side = p->beyond ? IL_UPPER : IL_LOWER;
+        p->status = il_dome_follow(s, &p->section, &above->section, side, &beyond[side], w->round_float, &p->error);
+    } else if (!is_dome(p, above) && w->between != 0 && !p->slab.gap) {
+        p->status = il_curve_bend(s, &p->section, &above->section, p->slab.lean, beyond, w->between, w->round_float, &p->error);
+    }
     if (p->status == IL_OK)
-        measure(w, p, upper);
+        measure(w, p, &above->section);
 }
 
 /* ---- what may be done when ---- */
@@ -75,6 +103,18 @@ static bool may_finish(il_window *w, size_t p)
     return p % 2 == 1 || ((p == 0 || lofted_or_none(w, p - 1)) && lofted_or_none(w, p + 1));
 }
 
+static bool is_finished(il_window *w, size_t p)
+{
+    il_slab_state s = il_window_at(w, p)->state;
+    return s == IL_SLAB_FINISHED || s == IL_SLAB_BENDING || s == IL_SLAB_BENT;
+}
+
+/* The slabs beside it tell how its strips go on. */
+static bool may_bend(il_window *w, size_t p)
+{
+    return (p == 0 || is_finished(w, p - 1)) && (il_window_has_slab(w, p + 1) ? is_finished(w, p + 1) : w->ended);
+}
+
 static int step(void *self, pthread_mutex_t *mutex)
 {
     il_window *w = self;
@@ -90,9 +130,17 @@ static int step(void *self, pthread_mutex_t *mutex)
             place->state = IL_SLAB_FINISHING;
             pthread_mutex_unlock(mutex);
             if (place->status == IL_OK)
-                finish(w, place, &above->section);
+                finish(w, place, above);
             pthread_mutex_lock(mutex);
             place->state = IL_SLAB_FINISHED;
+        } else if (place->state == IL_SLAB_FINISHED && may_bend(w, p)) {
+            const il_window_place *const next[2] = { p > 0 ? il_window_at(w, p - 1) : NULL, il_window_has_slab(w, p + 1) ? above : NULL };
+            place->state = IL_SLAB_BENDING;
+            pthread_mutex_unlock(mutex);
+            if (place->status == IL_OK && (!next[0] || next[0]->status == IL_OK) && (!next[1] || next[1]->status == IL_OK))
+                bend(w, place, above, next);
+            pthread_mutex_lock(mutex);
+            place->state = IL_SLAB_BENT;
         } else {
             continue;
         }
@@ -104,11 +152,13 @@ static int step(void *self, pthread_mutex_t *mutex)
 
 /* ---- the window ---- */
 
-il_status il_window_start(il_window *w, int threads, bool round_float, il_error *err)
+il_status il_window_start(il_window *w, const il_loft_options *o, il_error *err)
 {
     memset(w, 0, sizeof *w);
-    w->round_float = round_float;
-    return il_crew_start(&w->crew, threads, step, w, err);
+    w->round_float = o->round_float;
+    w->between = o->between;
+    w->cap = o->cap;
+    return il_crew_start(&w->crew, o->threads, step, w, err);
 }
 
 void il_window_stop(il_window *w)
@@ -148,9 +198,9 @@ void il_window_end(il_window *w)
 bool il_window_ready(il_window *w)
 {
     size_t p = w->first;
-    if (!il_window_has_slab(w, p) || il_window_at(w, p)->state != IL_SLAB_FINISHED)
+    if (!il_window_has_slab(w, p) || il_window_at(w, p)->state != IL_SLAB_BENT)
         return false;
-    return il_window_has_slab(w, p + 1) ? il_window_at(w, p + 1)->state == IL_SLAB_FINISHED : w->ended;
+    return il_window_has_slab(w, p + 1) ? il_window_at(w, p + 1)->state == IL_SLAB_BENT : w->ended;
 }
 
 void il_window_pop(il_window *w)
@@ -166,7 +216,8 @@ void il_window_pop(il_window *w)
 static bool is_busy(il_window *w)
 {
     for (size_t p = w->first; p < w->first + w->n; p++)
-        if (il_window_at(w, p)->state == IL_SLAB_LOFTING || il_window_at(w, p)->state == IL_SLAB_FINISHING)
+        if (il_window_at(w, p)->state == IL_SLAB_LOFTING || il_window_at(w, p)->state == IL_SLAB_FINISHING ||
+            il_window_at(w, p)->state == IL_SLAB_BENDING)
             return true;
     return false;
 }

@@ -4,7 +4,8 @@
  * follows when both neighbours are done, and takes the sections with what they
  * inserted; then the even slabs follow its own insertions.  So every insertion
  * is made once, in an order that does not depend on the threads or on how much
- * of the stack is known (loft.md 8). */
+ * of the stack is known (loft.md 8).  A slab is bent (curve.h) when its neighbours are finished,
+ * by how they lean, which bending them does not change. */
 #ifndef IL_LOFT_WINDOW_H
 #define IL_LOFT_WINDOW_H
 
@@ -13,7 +14,7 @@
 #include "loft/slab.h"
 
 typedef enum il_slab_state {
-    IL_SLAB_WAITING, IL_SLAB_LOFTING, IL_SLAB_LOFTED, IL_SLAB_FINISHING, IL_SLAB_FINISHED
+    IL_SLAB_WAITING, IL_SLAB_LOFTING, IL_SLAB_LOFTED, IL_SLAB_FINISHING, IL_SLAB_FINISHED, IL_SLAB_BENDING, IL_SLAB_BENT
 } il_slab_state;
 
 /* A section at one end and the slab above it.  slice: its index in the stack.
@@ -38,11 +39,13 @@ typedef struct il_window {
     il_window_place place[IL_LOFT_WINDOW];
     size_t first, n;
     bool ended, cancelled, round_float;
+    int between;              /* contours put into each slab, or IL_BETWEEN_AUTO */
+    il_cap cap;
     double origin[3];         /* for volumes, near the stack */
     il_crew crew;
 } il_window;
 
-il_status il_window_start(il_window *w, int threads, bool round_float, il_error *err);
+il_status il_window_start(il_window *w, const il_loft_options *o, il_error *err);
 void il_window_stop(il_window *w);    /* ends the threads, frees all */
 
 /* With the crew's mutex held, from here on. */

@@ -28,14 +28,30 @@ static il_status stack_begin(il_sink *self, const il_stack_head *head, il_error 
     return m->next->stack_begin(m->next, head, err);
 }
 
+static bool is_inserted(const il_ring *r, size_t i)
+{
+    return r->mark && r->mark[i] & IL_VERTEX_INSERTED;
+}
+
+/* Points that were put into long edges when degrees became metres are none of the geodesic; a
+ * line of them alone was interpolated. */
+static bool is_interpolated(const il_ring *r)
+{
+    for (size_t i = 0; i < r->n; i++)
+        if (!is_inserted(r, i))
+            return false;
+    return true;
+}
+
 static il_status measure_line(measure *m, const il_ring *r, il_slice *s, il_error *err)
 {
     double length, area;
     size_t n = 0;
+    bool whole = is_interpolated(r);
     if (!il_grow(&m->xy, &m->cap, r->n, 2 * sizeof *m->xy))
         return il_fail_nomem(err);
     for (size_t i = 0; i < r->n; i++) {
-        if (r->mark && r->mark[i] & IL_VERTEX_INSERTED)
+        if (!whole && is_inserted(r, i))
             continue;
         m->xy[2 * n] = r->xy[2 * i] / m->scale;
         m->xy[2 * n++ + 1] = r->xy[2 * i + 1] / m->scale;

@@ -1,21 +1,11 @@
 #include "config.h"
 #include "terrain/field-near.h"
 #include "base/alloc.h"
-#include "terrain/law.h"
 
 #include <math.h>
 
 /* Of the sweeps: what lies round two corners of its band is rare, and near enough then. */
 enum { ROUNDS = 2 };
-
-double il_field_distance2(const il_field *f, uint32_t e, double x, double y, double *t)
-{
-    const il_field_line *l = &f->line[e];
-    double ux = l->bx - l->ax, uy = l->by - l->ay, px = x - l->ax, py = y - l->ay, length2 = ux * ux + uy * uy;
-    *t = length2 > 0 ? fmin(fmax((px * ux + py * uy) / length2, 0), 1) : 0;
-    double dx = px - *t * ux, dy = py - *t * uy;
-    return dx * dx + dy * dy;
-}
 
 uint32_t il_field_slide(const il_field *f, uint32_t e, double x, double y, double *distance2)
 {
@@ -41,14 +31,18 @@ typedef struct search {
     double *distance2;
 } search;
 
-static void consider(search *s, size_t i, size_t j, size_t side, uint32_t e)
+/* Edge E, if it is nearer to node (i, j) than what that has, and with SLIDE those that adjoin it. */
+static void consider(search *s, size_t i, size_t j, size_t side, uint32_t e, bool slide)
 {
     il_field *f = s->f;
     size_t k = 2 * (i + f->n[0] * j) + side;
-    if (e == IL_CHART_NONE || f->near[k] == e)
-        return;
-    double d;
-    e = il_field_slide(f, e, f->at[0] + (double)i * f->step, f->at[1] + (double)j * f->step, &d);
+    if (e == IL_CHART_NONE || f->near[k] == e || (slide && il_field_adjoins(f, f->near[k], e)))
+        return; /* those that adjoin what it has were looked at */
+    double d, t, x = f->at[0] + (double)i * f->step, y = f->at[1] + (double)j * f->step;
+    if (slide)
+        e = il_field_slide(f, e, x, y, &d);
+    else
+        d = il_field_distance2(f, e, x, y, &t);
     if (d < s->distance2[k]) {
         s->distance2[k] = d;
         f->near[k] = e;
@@ -57,27 +51,17 @@ static void consider(search *s, size_t i, size_t j, size_t side, uint32_t e)
 
 /* ---- beside the lines -------------------------------------------------------------- */
 
-/* The nodes of cell (i, j), on whichever side of edge E they are. */
-static void seed_cell(search *s, const uint32_t *face, const bool *above, size_t i, size_t j, uint32_t e)
-{
-    for (size_t k = 0; k < 4; k++) {
-        size_t x = i + k % 2, y = j + k / 2;
-        if (x >= s->f->n[0] || y >= s->f->n[1])
-            continue;
-        for (int side = 0; side < 2; side++)
-            if (face[side] != IL_CHART_NONE && s->f->face[x + s->f->n[0] * y] == face[side])
-                consider(s, x, y, !above[side], e);
-    }
-}
-
 static size_t cell_of(const il_field *f, int axis, double v)
 {
-    double k = floor((v - f->at[axis]) / f->step);
-    return k > 0 ? (size_t)fmin(k, (double)f->n[axis] - 1) : 0;
+    double k = floor((v - f->at[axis]) / f->step), most = (double)f->n[axis] - 1;
+    return k > 0 ? (size_t)(k < most ? k : most) : 0;
 }
 
-/* All cells that edge E passes through, row by row. */
-static void seed_edge(search *s, const uint32_t *face, const bool *above, uint32_t e)
+/* What is done with each cell (i, j) that edge E passes through. */
+typedef void visitor(search *s, size_t i, size_t j, uint32_t e);
+
+/* Row by row. */
+static void visit_edge(search *s, uint32_t e, visitor *visit)
 {
     const il_field *f = s->f;
     const il_field_line *l = &f->line[e];
@@ -85,24 +69,64 @@ static void seed_edge(search *s, const uint32_t *face, const bool *above, uint32
     if (l->ay > l->by)
         low[0] = l->bx, low[1] = l->by, high[0] = l->ax, high[1] = l->ay;
     for (size_t j = cell_of(f, 1, low[1]); j <= cell_of(f, 1, high[1]); j++) {
-        double from = fmax(low[1], f->at[1] + (double)j * f->step), to = fmin(high[1], f->at[1] + (double)(j + 1) * f->step);
+        double from = f->at[1] + (double)j * f->step, to = from + f->step;
         double slope = high[1] > low[1] ? (high[0] - low[0]) / (high[1] - low[1]) : 0;
-        double x = low[0] + slope * (from - low[1]), y = high[1] > low[1] ? low[0] + slope * (to - low[1]) : high[0];
-        for (size_t i = cell_of(f, 0, fmin(x, y)); i <= cell_of(f, 0, fmax(x, y)); i++)
-            seed_cell(s, face, above, i, j, e);
+        double x = from > low[1] ? low[0] + slope * (from - low[1]) : low[0];
+        double y = to < high[1] ? low[0] + slope * (to - low[1]) : high[0];
+        for (size_t i = cell_of(f, 0, x < y ? x : y); i <= cell_of(f, 0, x < y ? y : x); i++)
+            visit(s, i, j, e);
     }
 }
 
-static void seed(search *s, const il_tin *t, const il_chart *c, const il_band *band)
+static void visit_edges(search *s, visitor *visit)
 {
-    for (size_t e = 0; e < t->n_sides; e++) {
-        bool above[2] = { false, false };
-        if (il_chart_is_frame(c, e))
+    for (size_t e = 0; e < s->f->n_lines; e++)
+        if (s->f->line[e].level >= 0)
+            visit_edge(s, (uint32_t)e, visit);
+}
+
+/* The nodes of the cell, on whichever side of the edge they are. */
+static void seed_cell(search *s, size_t i, size_t j, uint32_t e)
+{
+    const il_field_line *l = &s->f->line[e];
+    for (size_t k = 0; k < 4; k++) {
+        size_t x = i + k % 2, y = j + k / 2;
+        if (x >= s->f->n[0] || y >= s->f->n[1])
             continue;
-        for (size_t side = 0; side < 2; side++)
-            above[side] = t->side[2 * e + side] != IL_CHART_NONE && il_law_is_above(t, c, band, 2 * e + side);
-        seed_edge(s, t->side + 2 * e, above, (uint32_t)e);
+        for (int side = 0; side < 2; side++)
+            if (l->face[side] != IL_CHART_NONE && s->f->face[x + s->f->n[0] * y] == l->face[side])
+                consider(s, x, y, !l->above[side], e, false);
     }
+}
+
+static void count_cell(search *s, size_t i, size_t j, uint32_t e)
+{
+    (void)e;
+    s->f->first[i + s->f->n[0] * j + 2]++;
+}
+
+static void list_cell(search *s, size_t i, size_t j, uint32_t e)
+{
+    s->f->through[s->f->first[i + s->f->n[0] * j + 1]++] = e;
+}
+
+/* The edges of each cell.  False without memory, or with 2^32 of them. */
+static bool list_edges(search *s)
+{
+    il_field *f = s->f;
+    size_t n = il_field_size(f), sum = 0;
+    f->first = il_calloc(n + 2, sizeof *f->first);
+    if (!f->first)
+        return false;
+    visit_edges(s, count_cell);
+    for (size_t k = 2; k < n + 2; k++) {
+        sum += f->first[k];
+        f->first[k] = (uint32_t)sum;
+    }
+    f->through = sum < UINT32_MAX ? il_alloc(sum, sizeof *f->through) : NULL;
+    if (f->through)
+        visit_edges(s, list_cell);
+    return f->through != NULL;
 }
 
 /* ---- from node to node ----------------------------------------------------------------- */
@@ -120,7 +144,7 @@ static void pass_on(search *s, size_t i, size_t j, int step)
         if (x >= f->n[0] || y >= f->n[1] || f->face[x + f->n[0] * y] != f->face[at])
             continue;
         for (size_t side = 0; side < 2; side++)
-            consider(s, i, j, side, f->near[2 * (x + f->n[0] * y) + side]);
+            consider(s, i, j, side, f->near[2 * (x + f->n[0] * y) + side], true);
     }
 }
 
@@ -174,17 +198,17 @@ static void find_width(search *s)
     f->width = n > 0 ? f->step * width_of(bin) : n_caps > 0 ? 4 * caps / (double)n_caps : f->step;
 }
 
-bool il_field_find_near(il_field *f, const il_tin *t, const il_chart *c, const il_band *band)
+bool il_field_find_near(il_field *f)
 {
     search s = { f, il_alloc(2 * il_field_size(f), sizeof *s.distance2) };
     f->near = il_alloc(2 * il_field_size(f), sizeof *f->near);
-    bool ok = s.distance2 && f->near;
+    bool ok = s.distance2 && f->near && list_edges(&s);
     for (size_t k = 0; ok && k < 2 * il_field_size(f); k++) {
         f->near[k] = IL_CHART_NONE;
         s.distance2[k] = INFINITY;
     }
     if (ok) {
-        seed(&s, t, c, band);
+        visit_edges(&s, seed_cell);
         for (int round = 0; round < ROUNDS; round++)
             sweep(&s);
         find_width(&s);

@@ -4,9 +4,9 @@
 
 #include "terrain/field.h"
 
-/* Fill F->near and F->width, F's faces being known: beside the lines from the lines themselves,
+/* Fill F's near, first, through and width, its faces and lines being known: beside the lines from the lines themselves,
  * then from node to node of one face, in sweeps from corner to corner (Danielsson 1980, with
  * edges in place of points).  False without memory.  O(nodes + edges). */
-bool il_field_find_near(il_field *f, const il_tin *t, const il_chart *c, const il_band *band);
+bool il_field_find_near(il_field *f);
 
 #endif

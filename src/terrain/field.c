@@ -2,15 +2,18 @@
 #include "terrain/field.h"
 #include "base/alloc.h"
 #include "terrain/field-near.h"
+#include "terrain/law.h"
 
 #include <math.h>
 
-enum { FIELD_NODES = 4, NODES_LEAST = 10000 };
+enum { FIELD_NODES = 3, NODES_LEAST = 10000 };
 
 void il_field_free(il_field *f)
 {
     il_free(f->face);
     il_free(f->near);
+    il_free(f->first);
+    il_free(f->through);
     il_free(f->line);
     *f = (il_field)IL_FIELD_INIT;
 }
@@ -55,7 +58,7 @@ static void choose_grid(il_field *f, const double box[4], size_t n_nodes)
 
 /* ---- lines and faces -------------------------------------------------------------- */
 
-static bool copy_lines(il_field *f, const il_chart *c)
+static bool copy_lines(il_field *f, const il_tin *t, const il_chart *c, const il_band *band)
 {
     f->n_lines = c->n_edges;
     f->line = il_alloc(c->n_edges, sizeof *f->line);
@@ -63,7 +66,12 @@ static bool copy_lines(il_field *f, const il_chart *c)
         const double *a = c->xy + 2 * (size_t)c->edge[2 * e], *b = c->xy + 2 * (size_t)c->edge[2 * e + 1];
         bool after = e + 1 < c->n_edges && c->owner[e + 1] == c->owner[e] && c->edge[2 * e + 2] == c->edge[2 * e + 1];
         bool before = e > 0 && f->line[e - 1].after;
-        f->line[e] = (il_field_line){ a[0] * f->east, a[1], b[0] * f->east, b[1], c->height[e], before, after };
+        il_field_line *l = &f->line[e];
+        *l = (il_field_line){ a[0] * f->east, a[1], b[0] * f->east, b[1], c->height[e], .before = before, .after = after };
+        for (size_t side = 0; side < 2; side++) {
+            l->face[side] = l->level >= 0 ? t->side[2 * e + side] : IL_CHART_NONE;
+            l->above[side] = l->face[side] != IL_CHART_NONE && il_law_is_above(t, c, band, 2 * e + side);
+        }
     }
     return f->line != NULL;
 }
@@ -121,11 +129,11 @@ il_status il_field_build(il_field *f, const il_tin *t, const il_chart *c, const 
     double box[4];
     *f = (il_field){ .east = east };
     find_box(f, t, c, box);
-    bool ok = copy_lines(f, c);
+    bool ok = copy_lines(f, t, c, band);
     if (ok)
         choose_grid(f, box, c->n_nodes);
     if (ok && f->step > 0)
-        ok = label_nodes(f, t, c) && il_field_find_near(f, t, c, band);
+        ok = label_nodes(f, t, c) && il_field_find_near(f);
     if (!ok)
         il_field_free(f);
     return ok ? IL_OK : il_fail_nomem(err);

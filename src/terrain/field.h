@@ -9,23 +9,26 @@
 #include "terrain/tin.h"
 
 /* An edge of a line in the plane of the field.  before, after: do the edges numbered one less and
- * one more adjoin it?  level: -1 for the frame's. */
+ * one more adjoin it?  level: -1 for the frame's.  face[]: to its left and right; above[]: does
+ * that lie above it? */
 typedef struct il_field_line {
     double ax, ay, bx, by;
     int32_t level;
-    bool before, after;
+    uint32_t face[2];
+    bool above[2], before, after;
 } il_field_line;
 
 /* Node (i, j) stands at at[] + step (i, j) of the plane in which x is the mesh's times `east`, as
  * degrees of longitude are shorter than those of latitude; its number is i + n[0] j.
  * face[node]: of the tin, IL_CHART_NONE outside.  near[2 * node]: the nearest line above which
  * that face lies, near[2 * node + 1]: below which; by the chart's edges, IL_CHART_NONE for none.
- * line[n_lines]: the chart's edges.  width: the median distance between the lines of a band, by
+ * line[n_lines]: the chart's edges; those that pass through cell (i, j), whose lower left node that
+ * is, are through[first[node]] to through[first[node + 1]].  width: the median distance between the lines of a band, by
  * area. */
 typedef struct il_field {
     double at[2], step, east, width;
     size_t n[2];
-    uint32_t *face, *near;
+    uint32_t *face, *near, *first, *through;
     il_field_line *line;
     size_t n_lines;
 } il_field;
@@ -46,7 +49,21 @@ static inline size_t il_field_size(const il_field *f)
 
 /* Square of the distance of (x, y) of the field's plane to line edge E, and the nearest place, in
  * [0, 1]. */
-double il_field_distance2(const il_field *f, uint32_t e, double x, double y, double *t);
+static inline double il_field_distance2(const il_field *f, uint32_t e, double x, double y, double *t)
+{
+    const il_field_line *l = &f->line[e];
+    double ux = l->bx - l->ax, uy = l->by - l->ay, px = x - l->ax, py = y - l->ay, length2 = ux * ux + uy * uy;
+    double at = length2 > 0 ? (px * ux + py * uy) / length2 : 0;
+    *t = at < 0 ? 0 : at > 1 ? 1 : at;
+    double dx = px - *t * ux, dy = py - *t * uy;
+    return dx * dx + dy * dy;
+}
+
+/* Does edge OTHER adjoin edge E? */
+static inline bool il_field_adjoins(const il_field *f, uint32_t e, uint32_t other)
+{
+    return e != IL_CHART_NONE && ((other == e + 1 && f->line[e].after) || (other + 1 == e && f->line[e].before));
+}
 
 /* Of line edge E and those that adjoin it, one after the other, the one nearest to (x, y), as far as
  * each is nearer than the one before; *DISTANCE2 to it. */

@@ -144,7 +144,7 @@ static double straight_height(const il_law *l, uint32_t face, double x, double y
         double t = low + high > 0 ? low / (low + high) : 0.5;
         return c->level_z[below] + t * (c->level_z[above] - c->level_z[below]);
     }
-    double widths = l->width[face] > 0 ? *nearest / l->width[face] : INFINITY;
+    double width = l->width[face] > 0 ? l->width[face] : l->smooth.field.width, widths = width > 0 ? *nearest / width : INFINITY;
     return low <= high ? rise_from(l, face, below, widths) : sink_from(l, face, above, widths);
 }
 

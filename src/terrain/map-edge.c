@@ -90,10 +90,21 @@ static bool mark_run(marking *m, il_ring *r, size_t from, size_t length)
     return true;
 }
 
+/* Lines that isoloft interpolated are closed along nothing. */
+static bool is_interpolated(const il_ring *r)
+{
+    for (size_t v = 0; v < r->n; v++)
+        if (!r->mark || !(r->mark[v] & IL_VERTEX_INSERTED))
+            return false;
+    return true;
+}
+
 /* Runs of edges on the frame, one after the other from an edge that is not. */
 static bool mark_ring(marking *m, il_ring *r)
 {
     size_t start = r->n;
+    if (is_interpolated(r))
+        return true;
     if (!look_at_vertices(m, r))
         return false;
     for (size_t v = 0; v < r->n; v++)

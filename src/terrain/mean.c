@@ -2,18 +2,20 @@
 #include "terrain/mean.h"
 
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
 
 double il_mean_exp(double x)
 {
     static const double LN2 = 0.69314718055994531;
     if (x < -700)
         return 0;
-    double k = floor(x / LN2 + 0.5), r = x - k * LN2, term = 1, sum = 1;
-    for (int n = 1; n <= 12; n++) { /* |r| <= 0.35: the rest is below 1e-15 */
-        term *= r / n;
-        sum += term;
-    }
-    return ldexp(sum, (int)k);
+    double k = floor(x / LN2 + 0.5), r = x - k * LN2; /* |r| <= 0.35: what the series leaves is below 1e-10 */
+    double sum = 1 + r * (1 + r * (0.5 + r * (1 / 6.0 + r * (1 / 24.0 + r * (1 / 120.0 + r * (1 / 720.0 + r * (1 / 5040.0 + r / 40320)))))));
+    uint64_t bits = (uint64_t)(1023 + (int)k) << 52; /* 2^k, at least 2^-1011 */
+    double power;
+    memcpy(&power, &bits, sizeof power);
+    return sum * power;
 }
 
 /* 1 - Phi(x) for x >= 0, divided by phi(x) sqrt(2 pi) = GAUSS: the rational approximation of

@@ -11,7 +11,7 @@
  * function of the C library takes part, whose last digit may differ. */
 double il_mean_in_band(double u, double s);
 
-/* e^x for X at most 0, to twelve digits, likewise. */
+/* e^x for X at most 0, to nine digits, likewise. */
 double il_mean_exp(double x);
 
 #endif

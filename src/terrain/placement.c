@@ -32,11 +32,7 @@ static double power_of_ten(int n)
     return p;
 }
 
-/* VALUE brought to a whole multiple of the greatest power of ten that is not above SIZE, by
- * WAY (round, floor).  Below 1 it is divided by that power's inverse, a whole number, so
- * that the result is the double nearest to its few decimals.  VALUE itself where multiples
- * are too many to be counted exactly: it is huge then, and its own digits are all it has. */
-static double shorten(double value, double size, double (*way)(double))
+double il_placement_shorten(double value, double size, double (*way)(double))
 {
     int exponent = (int)floor(log10(size));
     double power = power_of_ten(abs(exponent)), n = way(exponent < 0 ? value * power : value / power);
@@ -85,7 +81,7 @@ il_status il_placement_choose(il_stack_head *head, const il_placement_options *o
     }
     p.scale[2] = p.scale[0] / o->z_scale;
     for (int k = 0; k < 2 && o->recentre; k++)
-        p.offset[k] = shorten(box[k] / 2 + box[2 + k] / 2, side / 1000, round);
+        p.offset[k] = il_placement_shorten(box[k] / 2 + box[2 + k] / 2, side / 1000, round);
     head->placement = p;
     head->has_placement = !is_identity(head);
     if (head->has_frame && (o->recentre || head->has_placement))
@@ -116,7 +112,7 @@ static il_status choose_floor(const il_stack_head *head, const il_placement_opti
                               double lowest, double highest, double *bottom, il_error *err)
 {
     double depth = floor_depth(head, o, box, lowest, highest);
-    *bottom = o->has_base ? o->base : shorten(lowest - depth, depth / 10, floor);
+    *bottom = o->has_base ? o->base : il_placement_shorten(lowest - depth, depth / 10, floor);
     char floor_text[IL_NUMBER_MAX], lowest_text[IL_NUMBER_MAX];
     il_number_format(floor_text, *bottom);
     il_number_format(lowest_text, lowest);

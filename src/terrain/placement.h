@@ -31,6 +31,12 @@ typedef struct il_placement_options {
  * things are, and for a map that would be beyond 1e15 or have no extent left. */
 il_status il_placement_choose(il_stack_head *head, const il_placement_options *o, const double box[4], il_error *err);
 
+/* VALUE brought to a whole multiple of the greatest power of ten that is not above SIZE, by
+ * WAY (round, floor).  Below 1 it is divided by that power's inverse, a whole number, so
+ * that the result is the double nearest to its few decimals.  VALUE itself where multiples
+ * are too many to be counted exactly: it is huge then, and its own digits are all it has. */
+double il_placement_shorten(double value, double size, double (*way)(double));
+
 /* A coordinate of the mesh as the output holds it. */
 double il_placement_round(const il_placement_options *o, double v);
 

@@ -5,6 +5,9 @@
 
 #include <math.h>
 
+/* Enough to keep wide bands from swinging, and little enough not to flatten tops. */
+static const double TENSION = 0.3;
+
 /* ---- bounds ---------------------------------------------------------------------- */
 
 /* The height of level K, of which there may be none. */
@@ -100,7 +103,7 @@ il_status il_plate_solve(const il_field *f, const il_chart *c, const il_band *ba
     bool ok = il_plate_grid_make(&g, n);
     if (ok) {
         bound_nodes(&l, c, band);
-        ok = hold_lines(&l, c) && il_plate_grid_solve(&g, l.step / (f->width * every));
+        ok = hold_lines(&l, c) && il_plate_grid_solve(&g, sqrt(TENSION) * l.step / (f->width * every));
     }
     if (ok) {
         *z = g.z;

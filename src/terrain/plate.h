@@ -6,8 +6,8 @@
 
 /* The plate z over the nodes of a field, spaced `every` apart, that minimises
  *
- *     Int z_xx^2 + 2 z_xy^2 + z_yy^2 + (grad z)^2 / width^2   (Briggs 1974, with the tension of
- *                                                             Smith and Wessel 1990)
+ *     Int z_xx^2 + 2 z_xy^2 + z_yy^2 + 0.3 (grad z)^2 / width^2   (Briggs 1974, with the tension of
+ *                                                                 Smith and Wessel 1990)
  *
  * where z is the level on each line (a heavy weight on z between the two nodes of each edge of the
  * grid that a line crosses) and stays in the band of each node's face, beyond the last level within

@@ -20,21 +20,8 @@ void il_smooth_free(il_smooth *s)
 {
     il_field_free(&s->field);
     il_free(s->z);
+    il_free(s->law);
     *s = (il_smooth)IL_SMOOTH_INIT;
-}
-
-il_status il_smooth_build(il_smooth *s, const il_tin *t, const il_chart *c, const il_band *band, double east, double spread,
-                          il_error *err)
-{
-    *s = (il_smooth){ .chart = c, .band = band, .spread = spread };
-    il_status st = il_field_build(&s->field, t, c, band, east, err);
-    if (st == IL_OK && s->field.face)
-        st = il_plate_solve(&s->field, c, band, 1, &s->z, err);
-    if (st == IL_OK && s->field.face && isnan(spread))
-        st = il_spread_measure(&s->field, c, band, &s->spread, err);
-    if (st != IL_OK)
-        il_smooth_free(s);
-    return st;
 }
 
 /* ---- the nearest lines ------------------------------------------------------------------ */
@@ -44,40 +31,57 @@ typedef struct feet {
     double at[2][2], distance[2];
 } feet;
 
-/* Of those near the nodes about (x, y) that lie in FACE; false without such nodes. */
-static bool find_feet(const il_field *f, uint32_t face, double x, double y, feet *out)
+static void place_feet(const il_field *f, const uint32_t line[2], double x, double y, feet *out)
 {
-    double u = (x - f->at[0]) / f->step, v = (y - f->at[1]) / f->step, best[2] = { INFINITY, INFINITY };
+    for (int side = 0; side < 2; side++) {
+        double t = 0;
+        out->distance[side] = INFINITY;
+        if (line[side] == IL_CHART_NONE)
+            continue;
+        const il_field_line *l = &f->line[line[side]];
+        out->distance[side] = sqrt(il_field_distance2(f, line[side], x, y, &t));
+        out->at[side][0] = l->ax + t * (l->bx - l->ax);
+        out->at[side][1] = l->ay + t * (l->by - l->ay);
+    }
+}
+
+/* Of the lines through the cell whose first node that is. */
+static void look_in_cell(const il_field *f, size_t cell, uint32_t face, double x, double y, double best[2], uint32_t line[2])
+{
+    for (uint32_t k = f->first[cell]; k < f->first[cell + 1]; k++) {
+        const il_field_line *l = &f->line[f->through[k]];
+        for (int side = 0; side < 2; side++) {
+            double t, d = l->face[side] == face ? il_field_distance2(f, f->through[k], x, y, &t) : INFINITY;
+            size_t way = !l->above[side];
+            if (d < best[way])
+                best[way] = d, line[way] = f->through[k];
+        }
+    }
+}
+
+/* Of those near the nodes about (x, y) that lie in FACE; false without such nodes. */
+static bool find_feet(const il_field *f, size_t cell, uint32_t face, double x, double y, feet *out)
+{
+    double best[2] = { INFINITY, INFINITY };
     uint32_t line[2] = { IL_CHART_NONE, IL_CHART_NONE };
     bool any = false;
-    if (!(u >= 0 && v >= 0 && u < (double)f->n[0] - 1 && v < (double)f->n[1] - 1))
-        return false;
-    size_t first = (size_t)u + f->n[0] * (size_t)v;
     for (size_t k = 0; k < 4; k++) {
-        size_t node = first + k % 2 + f->n[0] * (k / 2);
+        size_t node = cell + k % 2 + f->n[0] * (k / 2);
         if (f->face[node] != face)
             continue;
         any = true;
         for (size_t side = 0; side < 2; side++) {
             uint32_t e = f->near[2 * node + side];
             double d;
-            if (e == IL_CHART_NONE || e == line[side])
+            if (e == IL_CHART_NONE || e == line[side] || il_field_adjoins(f, line[side], e))
                 continue;
             e = il_field_slide(f, e, x, y, &d);
             if (d < best[side])
                 best[side] = d, line[side] = e;
         }
     }
-    for (int side = 0; side < 2; side++) {
-        double t = 0;
-        out->distance[side] = sqrt(best[side]);
-        if (line[side] == IL_CHART_NONE)
-            continue;
-        const il_field_line *l = &f->line[line[side]];
-        il_field_distance2(f, line[side], x, y, &t);
-        out->at[side][0] = l->ax + t * (l->bx - l->ax);
-        out->at[side][1] = l->ay + t * (l->by - l->ay);
-    }
+    look_in_cell(f, cell, face, x, y, best, line);
+    place_feet(f, line, x, y, out);
     return any;
 }
 
@@ -101,24 +105,88 @@ static double between(const feet *f, double u)
     return fmax(fmin(u, STEEPEST * t), 1 - STEEPEST * (1 - t));
 }
 
+/* At (x, y) of the field's plane, where the plate has Z. */
+static double bend(const il_smooth *s, uint32_t face, const feet *f, double z)
+{
+    double bound[2], nearest = f->distance[0] < f->distance[1] ? f->distance[0] : f->distance[1];
+    il_plate_bounds(s->chart, s->band[face], 1, bound);
+    z -= miss(s, f, 0, bound[0]) + miss(s, f, 1, bound[1]);
+    double u = fmin(fmax((z - bound[0]) / (bound[1] - bound[0]), 0), 1);
+    if (isfinite(f->distance[0]) && isfinite(f->distance[1]))
+        u = between(f, u);
+    double far = fmin(nearest / s->field.width, 0.5);
+    u = fmin(fmax(u, 2 * APART * far), 1 - 2 * APART * far);
+    return bound[0] + il_mean_in_band(u, s->spread * far) * (bound[1] - bound[0]);
+}
+
+/* The law at each node, and how far its nearest line is, NAN where they tell nothing. */
+static bool bend_nodes(il_smooth *s)
+{
+    const il_field *f = &s->field;
+    s->law = il_alloc(il_field_size(f), 2 * sizeof *s->law);
+    for (size_t j = 0; s->law && j < f->n[1]; j++)
+        for (size_t i = 0; i < f->n[0]; i++) {
+            size_t k = i + f->n[0] * j;
+            feet at;
+            s->law[2 * k] = s->law[2 * k + 1] = NAN;
+            if (f->face[k] == IL_CHART_NONE || (f->near[2 * k] == IL_CHART_NONE && f->near[2 * k + 1] == IL_CHART_NONE))
+                continue;
+            place_feet(f, f->near + 2 * k, f->at[0] + (double)i * f->step, f->at[1] + (double)j * f->step, &at);
+            s->law[2 * k] = bend(s, f->face[k], &at, s->z[k]);
+            s->law[2 * k + 1] = at.distance[0] < at.distance[1] ? at.distance[0] : at.distance[1];
+        }
+    return s->law != NULL;
+}
+
+/* Do all nodes of CELL lie in FACE, and no line in the cell? */
+static bool is_clear(const il_field *f, size_t cell, uint32_t face)
+{
+    const uint32_t *at = f->face + cell;
+    return f->first[cell] == f->first[cell + 1] && at[0] == face && at[1] == face && at[f->n[0]] == face && at[f->n[0] + 1] == face;
+}
+
+/* Of one of two numbers a node, at (u, v) of a cell. */
+static double among(const double *p, size_t n, double u, double v)
+{
+    return (1 - v) * ((1 - u) * p[0] + u * p[2]) + v * ((1 - u) * p[2 * n] + u * p[2 * n + 2]);
+}
+
 double il_smooth_height(const il_smooth *s, uint32_t face, double x, double y, double *nearest)
 {
     const il_field *field = &s->field;
     feet f;
-    double bound[2];
+    if (!s->law)
+        return NAN;
     x *= field->east;
-    if (!s->z || !find_feet(field, face, x, y, &f))
+    double u = (x - field->at[0]) / field->step, v = (y - field->at[1]) / field->step;
+    if (!(u >= 0 && v >= 0 && u < (double)field->n[0] - 1 && v < (double)field->n[1] - 1))
         return NAN;
+    size_t i = (size_t)u, j = (size_t)v, cell = i + field->n[0] * j;
+    if (is_clear(field, cell, face)) {
+        *nearest = among(s->law + 2 * cell + 1, field->n[0], u - (double)i, v - (double)j);
+        return among(s->law + 2 * cell, field->n[0], u - (double)i, v - (double)j);
+    }
+    if (!find_feet(field, cell, face, x, y, &f))
+        return NAN;
+    *nearest = f.distance[0] < f.distance[1] ? f.distance[0] : f.distance[1];
     double z = il_plate_height(field, s->z, 1, x, y);
-    *nearest = fmin(f.distance[0], f.distance[1]);
-    if (isnan(z) || !isfinite(*nearest))
-        return NAN;
-    il_plate_bounds(s->chart, s->band[face], 1, bound);
-    z -= miss(s, &f, 0, bound[0]) + miss(s, &f, 1, bound[1]);
-    double u = fmin(fmax((z - bound[0]) / (bound[1] - bound[0]), 0), 1);
-    if (isfinite(f.distance[0]) && isfinite(f.distance[1]))
-        u = between(&f, u);
-    double far = fmin(*nearest / field->width, 0.5);
-    u = fmin(fmax(u, 2 * APART * far), 1 - 2 * APART * far);
-    return bound[0] + il_mean_in_band(u, s->spread * far) * (bound[1] - bound[0]);
+    return isfinite(*nearest) ? bend(s, face, &f, z) : NAN;
+}
+
+/* ---- building --------------------------------------------------------------------- */
+
+il_status il_smooth_build(il_smooth *s, const il_tin *t, const il_chart *c, const il_band *band, double east, double spread,
+                          il_error *err)
+{
+    *s = (il_smooth){ .chart = c, .band = band, .spread = spread };
+    il_status st = il_field_build(&s->field, t, c, band, east, err);
+    if (st == IL_OK && s->field.face)
+        st = il_plate_solve(&s->field, c, band, 1, &s->z, err);
+    if (st == IL_OK && s->field.face && isnan(spread))
+        st = il_spread_measure(&s->field, c, band, &s->spread, err);
+    if (st == IL_OK && s->field.face && !bend_nodes(s))
+        st = il_fail_nomem(err);
+    if (st != IL_OK)
+        il_smooth_free(s);
+    return st;
 }

@@ -5,13 +5,14 @@
 
 #include "terrain/plate.h"
 
-/* z[]: the plate over the field, heights of the map; null while there is none.  spread: how far, in
+/* z[]: the plate over the field, heights of the map; law[2 * node]: the law at its nodes, and how far the nearest
+ * line is, NAN where nothing tells; null while there are none.  spread: how far, in
  * intervals, the ground strays from the plate where it is half a width from any line, times two. */
 typedef struct il_smooth {
     il_field field;
     const il_chart *chart;
     const il_band *band;
-    double *z;
+    double *z, *law;
     double spread;
 } il_smooth;
 
@@ -30,7 +31,9 @@ il_status il_smooth_build(il_smooth *s, const il_tin *t, const il_chart *c, cons
  * lines by, which fades away from each.  Its mean in the band (terrain/mean.h) is taken with the
  * spread s = spread min(d / width, 1/2), d the distance to the nearest line: a plate is the likeliest
  * surface, but between two levels a mean lies nearer to the middle than that, the more so the
- * farther the lines are. */
+ * farther the lines are.
+ * That is so at the nodes and in cells that a line passes through; in others heights lie between those of the
+ * nodes, which takes a tenth of the time. */
 double il_smooth_height(const il_smooth *s, uint32_t face, double x, double y, double *nearest);
 
 #endif

@@ -229,13 +229,20 @@ static bool find(const il_refine *r, const double p[2], size_t *triangle, size_t
     return false;
 }
 
+/* The lesser of LEAST2 and the square of the distance from A to B. */
+static double nearer(double least2, const double a[2], const double b[2])
+{
+    double x = b[0] - a[0], y = b[1] - a[1], d2 = x * x + y * y;
+    return d2 < least2 ? d2 : least2;
+}
+
 /* Without inner nodes the triangles hang together as a tree: each is come to once. */
 double il_refine_clearance(il_refine *r, size_t triangle, const double p[2])
 {
-    double least = INFINITY;
+    double least2 = INFINITY;
     r->n_star = 0;
     for (size_t k = 3 * triangle; k < 3 * triangle + 3; k++) {
-        least = fmin(least, hypot(place(r, k)[0] - p[0], place(r, k)[1] - p[1]));
+        least2 = nearer(least2, place(r, k), p);
         if (!il_grow(&r->star, &r->cap_star, r->n_star + 1, sizeof *r->star))
             return INFINITY;
         r->star[r->n_star++] = (uint32_t)k;
@@ -248,13 +255,13 @@ double il_refine_clearance(il_refine *r, size_t triangle, const double p[2])
         const double *far = place(r, before(j));
         if (il_in_circle(place(r, j), place(r, il_tin_after(j)), far, p) <= 0)
             continue;
-        least = fmin(least, hypot(far[0] - p[0], far[1] - p[1]));
+        least2 = nearer(least2, far, p);
         if (!il_grow(&r->star, &r->cap_star, r->n_star + 2, sizeof *r->star))
             return INFINITY;
         r->star[r->n_star++] = (uint32_t)il_tin_after(j);
         r->star[r->n_star++] = (uint32_t)before(j);
     }
-    return least;
+    return sqrt(least2);
 }
 
 bool il_refine_insert(il_refine *r, size_t triangle, const double p[2], uint32_t *node)

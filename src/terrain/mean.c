@@ -11,7 +11,8 @@ double il_mean_exp(double x)
     if (x < -700)
         return 0;
     double k = floor(x / LN2 + 0.5), r = x - k * LN2; /* |r| <= 0.35: what the series leaves is below 1e-10 */
-    double sum = 1 + r * (1 + r * (0.5 + r * (1 / 6.0 + r * (1 / 24.0 + r * (1 / 120.0 + r * (1 / 720.0 + r * (1 / 5040.0 + r / 40320)))))));
+    double sum = 1 / 24.0 + r * (1 / 120.0 + r * (1 / 720.0 + r * (1 / 5040.0 + r / 40320)));
+    sum = 1 + r * (1 + r * (0.5 + r * (1 / 6.0 + r * sum)));
     uint64_t bits = (uint64_t)(1023 + (int)k) << 52; /* 2^k, at least 2^-1011 */
     double power;
     memcpy(&power, &bits, sizeof power);

@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "loft/curve.h"
 #include "loft/dome.h"
+#include "loft/flip.h"
 #include "loft/pinch.h"
 
 #include <math.h>
@@ -74,6 +75,8 @@ static void bend(const il_window *w, il_window_place *p, const il_window_place *
     } else if (!is_dome(p, above) && w->between != 0 && !p->slab.gap) {
         p->status = il_curve_bend(s, &p->section, &above->section, p->slab.lean, beyond, w->between, w->round_float, &p->error);
     }
+    if (p->status == IL_OK && !p->slab.gap)
+        p->status = il_flip_edges(s, &p->section, &above->section, &p->error);
     if (p->status == IL_OK)
         measure(w, p, &above->section);
 }

@@ -3,7 +3,7 @@
 #include "base/alloc.h"
 #include "loft/curve.h"
 #include "loft/dome.h"
-#include "loft/flip.h"
+#include "loft/tidy.h"
 #include "loft/pinch.h"
 
 #include <math.h>
@@ -76,7 +76,7 @@ static void bend(const il_window *w, il_window_place *p, const il_window_place *
         p->status = il_curve_bend(s, &p->section, &above->section, p->slab.lean, beyond, w->between, w->round_float, &p->error);
     }
     if (p->status == IL_OK && !p->slab.gap)
-        p->status = il_flip_edges(s, &p->section, &above->section, &p->error);
+        p->status = il_tidy(s, &p->section, &above->section, &p->error);
     if (p->status == IL_OK)
         measure(w, p, &above->section);
 }

@@ -1,7 +1,9 @@
-/* t-flip.c - which diagonals are taken, and which are left. */
+/* t-tidy.c - which triangles become better ones, and which are left. */
 #include "config.h"
 #include "loft/certificate.h"
 #include "loft/flip.h"
+#include "loft/thin.h"
+#include "loft/tidy.h"
 #include "test.h"
 
 #include <math.h>
@@ -71,10 +73,10 @@ static void assert_certified(const wall_slab *w)
     assert_string_equal(il_flaw_words(v.flaw), il_flaw_words(IL_FLAW_NONE));
 }
 
-static void flip(wall_slab *w)
+static void tidy(wall_slab *w)
 {
     assert_certified(w);
-    assert_int_equal(il_flip_edges(&w->s, &w->section[0], &w->section[1], NULL), IL_OK);
+    assert_int_equal(il_tidy(&w->s, &w->section[0], &w->section[1], NULL), IL_OK);
     assert_certified(w);
 }
 
@@ -113,7 +115,7 @@ static void the_shorter_diagonal_is_taken(void **state)
     lay_sheared(slice, 0, 0);
     begin(&w, slice);
     add_walls(&w, 0, 0, 4);
-    flip(&w);
+    tidy(&w);
     assert_true(has_edge(&w, low(1), high(0)));
     assert_false(has_edge(&w, low(0), high(1)));
     assert_true(has_edge(&w, low(2), high(3))); /* was short */
@@ -130,7 +132,7 @@ static bool is_flipped_when_bent(double y)
     lay_sheared(slice, 0, y);
     begin(&w, slice);
     add_walls(&w, 0, 0, 4);
-    flip(&w);
+    tidy(&w);
     bool flipped = has_edge(&w, low(1), high(0));
     end(&w);
     return flipped;
@@ -157,7 +159,7 @@ static void nodes_of_one_slice_are_not_joined(void **state)
     begin(&w, slice);
     add_walls(&w, 0, 0, 4);
     add_cone(&w, 4, 5, apex);
-    flip(&w);
+    tidy(&w);
     assert_false(has_edge(&w, low(4), low(6)) || has_edge(&w, low(6), low(4)));
     assert_true(has_edge(&w, low(1), high(0)));
     end(&w);
@@ -177,7 +179,7 @@ static void what_would_meet_is_not_flipped_and_the_rest_is(void **state)
     add_walls(&w, 0, 0, 4);
     add_walls(&w, 4, 4, 4);
     add_cone(&w, 8, 3, apex);
-    flip(&w);
+    tidy(&w);
     assert_true(has_edge(&w, low(0), high(1)));
     assert_true(has_edge(&w, low(5), high(4)));
     end(&w);

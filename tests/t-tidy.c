@@ -1,8 +1,7 @@
 /* t-tidy.c - which triangles become better ones, and which are left. */
 #include "config.h"
 #include "loft/certificate.h"
-#include "loft/flip.h"
-#include "loft/thin.h"
+#include "loft/net.h"
 #include "loft/tidy.h"
 #include "test.h"
 
@@ -141,7 +140,7 @@ static bool is_flipped_when_bent(double y)
 static void what_would_move_the_surface_is_left(void **state)
 {
     (void)state;
-    double most = 4 * IL_FLIP_MOVE;
+    double most = 4 * IL_NET_MOVE;
     assert_true(is_flipped_when_bent(1.8 * most) && is_flipped_when_bent(-1.8 * most));
     assert_false(is_flipped_when_bent(2.4 * most) || is_flipped_when_bent(-2.4 * most));
 }
@@ -170,10 +169,10 @@ static void what_would_meet_is_not_flipped_and_the_rest_is(void **state)
 {
     (void)state;
     il_slice slice[2] = { IL_SLICE_INIT, IL_SLICE_INIT };
-    const double ring[][2] = { { 3, -3 }, { 3.5, -4 }, { 4, -3 } }, apex[3] = { 3.5, .01, 2 };
+    const double ring[][2] = { { 3, -3 }, { 3.5, -4 }, { 4, -3 } }, apex[3] = { 3.5, .0075, 2 };
     wall_slab w;
-    lay_sheared(slice, 0, .04);
-    lay_sheared(slice, 20, .04);
+    lay_sheared(slice, 0, .03);
+    lay_sheared(slice, 20, .03);
     add_ring(&slice[0], ring, 3);
     begin(&w, slice);
     add_walls(&w, 0, 0, 4);
@@ -185,6 +184,69 @@ static void what_would_meet_is_not_flipped_and_the_rest_is(void **state)
     end(&w);
 }
 
+/* A box whose front has two inner points, at y, 2 and X from the left: how many stay? */
+static size_t inner_points_left(double x, double y)
+{
+    il_slice slice[2] = { IL_SLICE_INIT, IL_SLICE_INIT };
+    const double ring[][2] = { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, p[3] = { 2, y, 2 }, q[3] = { x, y, 2 };
+    wall_slab w;
+    slice[1].z = 4;
+    add_ring(&slice[0], ring, 4);
+    add_ring(&slice[1], ring, 4);
+    begin(&w, slice);
+    add_walls(&w, 0, 0, 4);
+    memmove(w.s.tri, w.s.tri + 6, 18 * sizeof *w.s.tri); /* no front */
+    w.s.n_triangles = 6;
+    uint32_t left = il_surface_add_inner(&w.s, p), right = il_surface_add_inner(&w.s, q);
+    add_triangle(&w, low(0), low(1), left), add_triangle(&w, low(1), right, left);
+    add_triangle(&w, low(1), high(1), right), add_triangle(&w, high(1), left, right);
+    add_triangle(&w, high(1), high(0), left), add_triangle(&w, high(0), low(0), left);
+    tidy(&w);
+    size_t n = w.s.n_inner;
+    assert_int_equal(w.s.n_triangles, 8 + 2 * n);
+    end(&w);
+    return n;
+}
+
+static void points_too_close_to_each_other_become_one(void **state)
+{
+    (void)state;
+    assert_int_equal(inner_points_left(2.1, 0), 1);
+    assert_int_equal(inner_points_left(2.5, 0), 1);
+    assert_int_equal(inner_points_left(2.1, -.1), 1);
+}
+
+static void points_that_stand_out_stay(void **state)
+{
+    (void)state;
+    assert_int_equal(inner_points_left(2.5, -.5), 2);
+    assert_int_equal(inner_points_left(2.5, .5), 2);
+}
+
+/* It would hardly move, but the cone would lie in the slice: over N nodes. */
+static void leave_tip(size_t n)
+{
+    il_slice slice[2] = { IL_SLICE_INIT, IL_SLICE_INIT };
+    const double ring[][2] = { { 40, 0 }, { 44, 0 }, { 44, 4 }, { 40, 4 } }, apex[3] = { 40.2, .1, .01 };
+    wall_slab w;
+    lay_sheared(slice, 0, 0);
+    add_ring(&slice[0], ring, n);
+    begin(&w, slice);
+    add_walls(&w, 0, 0, 4);
+    add_cone(&w, 4, (uint32_t)n, apex);
+    tidy(&w);
+    assert_int_equal(w.s.n_inner, 1);
+    assert_true(has_edge(&w, low(1), high(0)));
+    end(&w);
+}
+
+static void a_tip_close_to_its_contour_stays(void **state)
+{
+    (void)state;
+    leave_tip(3);
+    leave_tip(4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -192,6 +254,9 @@ int main(void)
         cmocka_unit_test(what_would_move_the_surface_is_left),
         cmocka_unit_test(nodes_of_one_slice_are_not_joined),
         cmocka_unit_test(what_would_meet_is_not_flipped_and_the_rest_is),
+        cmocka_unit_test(points_too_close_to_each_other_become_one),
+        cmocka_unit_test(points_that_stand_out_stay),
+        cmocka_unit_test(a_tip_close_to_its_contour_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,11 +8,10 @@ enum { PASSES = 6 };
 static const double GAIN = 1.05;
 
 /* Edge v[0] v[1] has the triangles v[0] v[1] v[2] and v[1] v[0] v[3]: is v[2] v[3] the better
- * diagonal?  They pass each other at the distance |AB x CD . AC| / |AB x CD|; the
- * quadrilateral is convex when the new triangles look where both old ones do. */
+ * diagonal?  The quadrilateral is convex when the new triangles look where both old ones do. */
 static bool is_better(const il_net *net, const uint32_t v[4])
 {
-    double old[2][3], new[2][3], ab[3], cd[3], ac[3], axis[3];
+    double old[2][3], new[2][3];
     double before = fmin(il_net_shape(net, v[0], v[1], v[2], old[0]), il_net_shape(net, v[1], v[0], v[3], old[1]));
     double after = fmin(il_net_shape(net, v[0], v[3], v[2], new[0]), il_net_shape(net, v[3], v[1], v[2], new[1]));
     if (!(after > GAIN * before))
@@ -21,11 +20,19 @@ static bool is_better(const il_net *net, const uint32_t v[4])
         for (int k = 0; k < 2; k++)
             if (!(il_net_dot(old[i], new[k]) > 0))
                 return false;
+    return true;
+}
+
+/* How far the surface moves when the diagonal is the other one: they pass each other at the
+ * distance |AB x CD . AC| / |AB x CD|. */
+static double distance(const il_net *net, const uint32_t v[4])
+{
+    double ab[3], cd[3], ac[3], axis[3];
     il_net_way(net, v[0], v[1], ab);
     il_net_way(net, v[2], v[3], cd);
     il_net_way(net, v[0], v[2], ac);
     il_net_cross(ab, cd, axis);
-    return fabs(il_net_dot(axis, ac)) <= IL_FLIP_MOVE * net->height * sqrt(il_net_dot(axis, axis));
+    return fabs(il_net_dot(axis, ac)) / sqrt(il_net_dot(axis, axis));
 }
 
 /* Is there an edge from the vertex of CORNER, which is single, to V? */
@@ -78,9 +85,14 @@ static bool try_edge(il_net *net, uint32_t i)
     uint32_t d = il_net_previous(j), v[4] = { net->at[i], net->at[j], net->at[c], net->at[d] };
     if (net->fixed[v[0]] || net->fixed[v[1]] || net->fixed[v[2]] || net->fixed[v[3]])
         return false;
-    if (!is_better(net, v) || !may_join(net, c, d))
+    if (!is_better(net, v))
+        return false;
+    double moved = distance(net, v) + fmax(fmax(net->moved[v[0]], net->moved[v[1]]), fmax(net->moved[v[2]], net->moved[v[3]]));
+    if (!(moved <= IL_NET_MOVE * net->height) || !may_join(net, c, d))
         return false;
     flip(net, i, j);
+    for (int k = 0; k < 4; k++)
+        net->moved[v[k]] = moved;
     return true;
 }
 

@@ -7,6 +7,7 @@
 void il_net_free(il_net *net)
 {
     il_free(net->xyz);
+    il_free(net->moved);
     il_free(net->at);
     il_free(net->mate);
     il_free(net->single);
@@ -100,10 +101,11 @@ il_status il_net_make(il_net *net, const il_surface *s, const il_section *lower,
     net->xyz = il_surface_positions(s, lower, upper);
     net->at = il_alloc(s->n_triangles, 3 * sizeof *net->at);
     net->mate = il_alloc(s->n_triangles, 3 * sizeof *net->mate);
+    net->moved = il_calloc(net->n_vertices, sizeof *net->moved);
     net->single = il_calloc(net->n_vertices, 1);
     net->fixed = il_calloc(net->n_vertices, 1);
     net->touched = il_calloc(s->n_triangles, 1);
-    if (!net->xyz || !net->at || !net->mate || !net->single || !net->fixed || !net->touched)
+    if (!net->xyz || !net->moved || !net->at || !net->mate || !net->single || !net->fixed || !net->touched)
         return il_fail_nomem(err);
     for (size_t i = 0; i < 3 * s->n_triangles; i++)
         net->at[i] = (uint32_t)il_surface_row(lower, upper, s->tri[i]);

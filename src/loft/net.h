@@ -11,14 +11,18 @@
 /* The most triangles about a vertex that are looked at. */
 enum { IL_NET_FAN_MOST = 64 };
 
+/* How far changes may move the surface of a slab, in slab heights. */
+#define IL_NET_MOVE 0.005
+
 /* Vertices stand in the row of il_surface_row: xyz[3*n_vertices], with those of the upper section from
  * FIRST[0] on and the inner ones from first[1] on.  at[3*n_triangles]: the vertex at each
  * corner; IL_NET_NONE at those of triangles that are gone.  Corner i is also the half-edge that starts there;
  * mate[i] is its reverse, IL_NET_NONE for contour edges and what more than two triangles share.
  * single[v]: the triangles about v are one fan, of at most IL_NET_FAN_MOST.  Nothing that has a
- * FIXED vertex is to be changed.  touched[t]: triangle t is not what it was. */
+ * FIXED vertex is to be changed.  moved[v]: how far the surface about vertex v may have moved.
+ * touched[t]: triangle t is not what it was. */
 typedef struct il_net {
-    double *xyz, height;
+    double *xyz, *moved, height;
     uint32_t *at, *mate;
     unsigned char *single, *fixed, *touched;
     size_t n_vertices, n_triangles, first[2];

@@ -9,11 +9,9 @@ enum { PASSES = 4 };
  * angle so many times what it was. */
 static const double BAD = 0.35, GAIN = 1.05;
 
-/* fan[n]: the corners at vertex U, counter-clockwise; it goes to vertex W, along half-edge fan[j].
- * owed[v]: how far the surface about vertex v may have moved already. */
+/* fan[n]: the corners at vertex U, counter-clockwise; it goes to vertex W, along half-edge fan[j]. */
 typedef struct thinning {
     il_net *net;
-    double *owed;
     uint32_t u, w, fan[IL_NET_FAN_MOST];
     size_t n, j;
 } thinning;
@@ -59,8 +57,8 @@ static bool may_join(const thinning *t)
 }
 
 /* The triangles with W for U: are they better than BEFORE, do they look where the others do and lie near U?
- * How far the surface moves then, or infinity. */
-static double moved(const thinning *t, double before)
+ * How far the surface may have moved then, or infinity. */
+static double move(const thinning *t, double before)
 {
     const il_net *net = t->net;
     double most = 0, uw[3];
@@ -77,7 +75,7 @@ static double moved(const thinning *t, double before)
             return INFINITY;
         most = fmax(most, fabs(il_net_dot(new, uw)) / sqrt(il_net_dot(new, new)));
     }
-    return most + t->owed[t->u];
+    return most + net->moved[t->u];
 }
 
 static void join_mates(il_net *net, uint32_t i, uint32_t j)
@@ -88,13 +86,13 @@ static void join_mates(il_net *net, uint32_t i, uint32_t j)
         net->mate[j] = i;
 }
 
-static void collapse(thinning *t, double owed)
+static void collapse(thinning *t, double moved)
 {
     il_net *net = t->net;
     uint32_t left = t->fan[t->j], right = t->fan[(t->j + t->n - 1) % t->n];
     for (size_t k = 0; k < t->n; k++) {
         uint32_t v = beside(t, k);
-        t->owed[v] = fmax(t->owed[v], owed);
+        net->moved[v] = fmax(net->moved[v], moved);
     }
     join_mates(net, net->mate[il_net_next(left)], net->mate[il_net_previous(left)]);
     join_mates(net, net->mate[il_net_next(right)], net->mate[right]);
@@ -120,19 +118,19 @@ static bool try_vertex(thinning *t, uint32_t corner)
     double before = judge(t);
     if (before >= BAD || net->fixed[t->w] || !net->single[t->w])
         return false;
-    double owed = moved(t, before);
-    if (!(owed <= IL_THIN_MOVE * net->height) || !may_join(t))
+    double moved = move(t, before);
+    if (!(moved <= IL_NET_MOVE * net->height) || !may_join(t))
         return false;
-    collapse(t, owed);
+    collapse(t, moved);
     return true;
 }
 
 size_t il_thin(il_net *net)
 {
-    thinning t = { .net = net, .owed = il_calloc(net->n_vertices, sizeof *t.owed) };
+    thinning t = { .net = net };
     unsigned char *seen = il_calloc(net->n_vertices, 1);
     size_t n = 0, before = 1;
-    for (int pass = 0; t.owed && seen && n != before && pass < PASSES; pass++) {
+    for (int pass = 0; seen && n != before && pass < PASSES; pass++) {
         before = n;
         for (uint32_t i = 0; i < 3 * net->n_triangles; i++) {
             uint32_t v = net->at[i];
@@ -142,7 +140,6 @@ size_t il_thin(il_net *net)
             n += try_vertex(&t, i);
         }
     }
-    il_free(t.owed);
     il_free(seen);
     return n;
 }

@@ -4,13 +4,9 @@
 
 #include "loft/net.h"
 
-/* How far thinning may move the surface of a slab, in slab heights. */
-#define IL_THIN_MOVE 0.0025
-
 /* Inner vertices of NET are put into their nearest neighbour where that makes the smallest angle
- * about them larger.  The surface moves by no more than IL_THIN_MOVE of the slab's height: by the
- * distance of the vertex from the planes of the triangles that come in place of its own, and what
- * was owed about it from vertices that went before.  No two nodes of one section are joined, and
+ * about them larger.  The surface does not move by more than IL_NET_MOVE tells: it moves by the
+ * distance of the vertex from the planes of the triangles that come in place of its own.  No two nodes of one section are joined, and
  * the surface stays the same but for its shape (link condition, Dey, Edelsbrunner, Guha & Nekhayev
  * 1999).  In the order of the triangles, a few times over: O(n).  How many vertices are gone, or 0
  * without memory. */

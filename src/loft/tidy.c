@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-/* What meets is left as it was ROUNDS times. */
-enum { ROUNDS = 3 };
+/* Thinned and flipped PASSES times over; what meets is left as it was ROUNDS times. */
+enum { PASSES = 2, ROUNDS = 3 };
 
 typedef struct tidying {
     const il_section *section[2];
@@ -20,7 +20,10 @@ typedef struct tidying {
 
 static il_status change(tidying *d, const il_surface *s, size_t *n_changes, il_error *err)
 {
-    *n_changes = il_thin(&d->net) + il_flip_edges(&d->net);
+    for (int pass = 0; pass < PASSES; pass++) {
+        *n_changes += il_thin(&d->net);
+        *n_changes += il_flip_edges(&d->net);
+    }
     il_status st = il_net_surface(&d->net, s, &d->tidy, &d->triangle, err);
     d->touched = st == IL_OK ? il_alloc(d->net.n_triangles, 1) : NULL;
     if (st == IL_OK && !d->touched)

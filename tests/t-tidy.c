@@ -247,6 +247,38 @@ static void a_tip_close_to_its_contour_stays(void **state)
     leave_tip(4);
 }
 
+/* A wide box whose front has a long edge from height 2 to Z at the right: does the much shorter
+ * diagonal come in its place? */
+static bool is_cut_across(double z)
+{
+    il_slice slice[2] = { IL_SLICE_INIT, IL_SLICE_INIT };
+    const double ring[][2] = { { 0, 0 }, { 20, 0 }, { 40, 0 }, { 40, 4 }, { 0, 4 } }, p[3] = { 5, 0, 2 }, q[3] = { 35, 0, z };
+    wall_slab w;
+    slice[1].z = 4;
+    add_ring(&slice[0], ring, 5);
+    add_ring(&slice[1], ring, 5);
+    begin(&w, slice);
+    add_walls(&w, 0, 0, 5);
+    memmove(w.s.tri, w.s.tri + 12, 18 * sizeof *w.s.tri); /* no front */
+    w.s.n_triangles = 6;
+    uint32_t left = il_surface_add_inner(&w.s, p), right = il_surface_add_inner(&w.s, q);
+    add_triangle(&w, low(0), low(1), left), add_triangle(&w, low(1), low(2), right);
+    add_triangle(&w, low(1), right, left), add_triangle(&w, left, right, high(1));
+    add_triangle(&w, high(1), high(0), left), add_triangle(&w, right, high(2), high(1));
+    add_triangle(&w, high(0), low(0), left), add_triangle(&w, low(2), high(2), right);
+    tidy(&w);
+    bool cut = has_edge(&w, low(1), high(1));
+    end(&w);
+    return cut;
+}
+
+static void contours_between_the_slices_stay(void **state)
+{
+    (void)state;
+    assert_true(is_cut_across(2.1));
+    assert_false(is_cut_across(2));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -256,6 +288,7 @@ int main(void)
         cmocka_unit_test(what_would_meet_is_not_flipped_and_the_rest_is),
         cmocka_unit_test(points_too_close_to_each_other_become_one),
         cmocka_unit_test(points_that_stand_out_stay),
+        cmocka_unit_test(contours_between_the_slices_stay),
         cmocka_unit_test(a_tip_close_to_its_contour_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -85,7 +85,7 @@ static bool try_edge(il_net *net, uint32_t i)
     uint32_t d = il_net_previous(j), v[4] = { net->at[i], net->at[j], net->at[c], net->at[d] };
     if (net->fixed[v[0]] || net->fixed[v[1]] || net->fixed[v[2]] || net->fixed[v[3]])
         return false;
-    if (!is_better(net, v))
+    if (il_net_on_level(net, v[0], v[1]) || !is_better(net, v))
         return false;
     double moved = distance(net, v) + fmax(fmax(net->moved[v[0]], net->moved[v[1]]), fmax(net->moved[v[2]], net->moved[v[3]]));
     if (!(moved <= IL_NET_MOVE * net->height) || !may_join(net, c, d))

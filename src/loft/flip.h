@@ -6,7 +6,7 @@
 
 /* Two triangles of NET at an edge may get the other diagonal of their quadrilateral: where that raises
  * their smallest angle, and does not move the surface by more than IL_NET_MOVE tells.
- * Contour edges stay, no two nodes of one section are joined, no edge comes to be twice (loft.md
+ * Contour edges stay, between the slices too; no two nodes of one section are joined, no edge comes to be twice (loft.md
  * I3).  In the order of the triangles, a few times over: O(n).  How many were flipped. */
 size_t il_flip_edges(il_net *net);
 

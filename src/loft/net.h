@@ -56,6 +56,12 @@ static inline bool il_net_in_plane(const il_net *net, uint32_t a, uint32_t b)
     return a < net->first[1] && b < net->first[1] && (a < net->first[0]) == (b < net->first[0]);
 }
 
+/* Are A and B inner vertices of one height, as on a contour between the slices (levels.h)? */
+static inline bool il_net_on_level(const il_net *net, uint32_t a, uint32_t b)
+{
+    return a >= net->first[1] && b >= net->first[1] && net->xyz[3 * (size_t)a + 2] == net->xyz[3 * (size_t)b + 2];
+}
+
 /* ---- shapes ---- */
 
 static inline double il_net_dot(const double a[3], const double b[3])

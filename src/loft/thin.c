@@ -21,18 +21,20 @@ static uint32_t beside(const thinning *t, size_t k)
     return t->net->at[il_net_next(t->fan[k])];
 }
 
-/* The sine of the smallest angle about U; its nearest neighbour becomes W. */
+/* The sine of the smallest angle about U; its nearest neighbour becomes W, on its contour when it has one. */
 static double judge(thinning *t)
 {
     double worst = 1, least = INFINITY;
+    bool level = false;
     for (size_t k = 0; k < t->n; k++) {
         double normal[3], way[3];
         uint32_t v = beside(t, k);
         worst = fmin(worst, il_net_shape(t->net, t->u, v, t->net->at[il_net_previous(t->fan[k])], normal));
         il_net_way(t->net, t->u, v, way);
         double l = il_net_dot(way, way);
-        if (l < least)
-            least = l, t->j = k, t->w = v;
+        bool same = il_net_on_level(t->net, t->u, v);
+        if (same > level || (same == level && l < least))
+            least = l, t->j = k, t->w = v, level = same;
     }
     return worst;
 }

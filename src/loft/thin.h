@@ -4,12 +4,12 @@
 
 #include "loft/net.h"
 
-/* Inner vertices of NET are put into their nearest neighbour where that makes the smallest angle
- * about them larger.  The surface does not move by more than IL_NET_MOVE tells: it moves by the
- * distance of the vertex from the planes of the triangles that come in place of its own.  No two nodes of one section are joined, and
- * the surface stays the same but for its shape (link condition, Dey, Edelsbrunner, Guha & Nekhayev
- * 1999).  In the order of the triangles, a few times over: O(n).  How many vertices are gone, or 0
- * without memory. */
+/* Inner vertices of NET are put into their nearest neighbour, on their contour where they have
+ * one, where that makes the smallest angle about them larger.  The surface does not move by more
+ * than IL_NET_MOVE tells: it moves by the distance of the vertex from the planes of the triangles
+ * that come in place of its own.  No two nodes of one section are joined, and the surface stays
+ * the same but for its shape (link condition, Dey, Edelsbrunner, Guha & Nekhayev 1999).  In the
+ * order of the triangles, a few times over: O(n).  How many vertices are gone, or 0 without memory. */
 size_t il_thin(il_net *net);
 
 #endif

@@ -127,21 +127,24 @@ static bool try_vertex(thinning *t, uint32_t corner)
     return true;
 }
 
-size_t il_thin(il_net *net)
+il_status il_thin(il_net *net, size_t *n, il_error *err)
 {
     thinning t = { .net = net };
     unsigned char *seen = il_calloc(net->n_vertices, 1);
-    size_t n = 0, before = 1;
-    for (int pass = 0; seen && n != before && pass < PASSES; pass++) {
-        before = n;
+    size_t before = 1;
+    *n = 0;
+    if (!seen)
+        return il_fail_nomem(err);
+    for (int pass = 0; *n != before && pass < PASSES; pass++) {
+        before = *n;
         for (uint32_t i = 0; i < 3 * net->n_triangles; i++) {
             uint32_t v = net->at[i];
             if (v == IL_NET_NONE || seen[v] == pass + 1)
                 continue;
             seen[v] = (unsigned char)(pass + 1);
-            n += try_vertex(&t, i);
+            *n += try_vertex(&t, i);
         }
     }
     il_free(seen);
-    return n;
+    return IL_OK;
 }

@@ -9,7 +9,7 @@
  * than IL_NET_MOVE tells: it moves by the distance of the vertex from the planes of the triangles
  * that come in place of its own.  No two nodes of one section are joined, and the surface stays
  * the same but for its shape (link condition, Dey, Edelsbrunner, Guha & Nekhayev 1999).  In the
- * order of the triangles, a few times over: O(n).  How many vertices are gone, or 0 without memory. */
-size_t il_thin(il_net *net);
+ * order of the triangles, a few times over: O(n).  *N: how many vertices are gone.  IL_E_NOMEM. */
+il_status il_thin(il_net *net, size_t *n, il_error *err);
 
 #endif

@@ -20,11 +20,14 @@ typedef struct tidying {
 
 static il_status change(tidying *d, const il_surface *s, size_t *n_changes, il_error *err)
 {
-    for (int pass = 0; pass < PASSES; pass++) {
-        *n_changes += il_thin(&d->net);
-        *n_changes += il_flip_edges(&d->net);
+    il_status st = IL_OK;
+    for (int pass = 0; st == IL_OK && pass < PASSES; pass++) {
+        size_t n = 0;
+        st = il_thin(&d->net, &n, err);
+        *n_changes += n + il_flip_edges(&d->net);
     }
-    il_status st = il_net_surface(&d->net, s, &d->tidy, &d->triangle, err);
+    if (st == IL_OK)
+        st = il_net_surface(&d->net, s, &d->tidy, &d->triangle, err);
     d->touched = st == IL_OK ? il_alloc(d->net.n_triangles, 1) : NULL;
     if (st == IL_OK && !d->touched)
         st = il_fail_nomem(err);

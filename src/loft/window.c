@@ -2,6 +2,7 @@
 #include "loft/window.h"
 #include "base/alloc.h"
 #include "loft/dome.h"
+#include "loft/tidy.h"
 #include "loft/pinch.h"
 
 #include <math.h>
@@ -74,6 +75,8 @@ static void bend(const il_window *w, il_window_place *p, const il_window_place *
         p->status = il_curve_bend(s, &p->section, &above->section, p->slab.lean, beyond, w->between, w->round_float,
                                   &p->bending, &p->error);
     }
+    if (p->status == IL_OK && !p->slab.gap)
+        p->status = il_tidy(s, &p->section, &above->section, &p->error);
     if (p->status == IL_OK)
         measure(w, p, &above->section);
 }

@@ -201,7 +201,8 @@ typedef struct il_map_settings {
 /* All 0 is what the program does without options.  threads: 0 is one a
  * processor; the mesh is the same for any number.  dome: close first and last
  * slice by a dome instead of flat: 1 of half a spacing, 2 of that at most, as the solid leans there.
- * between: contours put between each two slices of a solid, 0 as many as it needs, -1 none.  unmatched: compare slices
+ * between: contours put between each two slices of a solid, at most 64; 0 as many as it needs, -1
+ * none.  unmatched: compare slices
  * as they lie instead of deforming them onto each other.  note: is told, sentence by
  * sentence, what of the input was repaired or skipped; may be null.  The
  * sentence is gone when it returns.  thickness: what a slice that nothing is joined

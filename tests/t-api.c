@@ -145,6 +145,22 @@ static void a_dome_adds_to_the_volume(void **state)
     il_solids_free(&s);
 }
 
+static void contours_between_are_as_many_as_asked(void **state)
+{
+    (void)state;
+    il_from from = from_box();
+    il_solids s = IL_SOLIDS_INIT;
+    size_t straight = 0;
+    for (int between = -1; between < 3; between += 3) {
+        assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &(il_settings){ .between = between }, NULL), IL_OK);
+        straight = between < 0 ? s.solid[0].n_vertices : straight;
+        assert_true(between < 0 || s.solid[0].n_vertices > straight);
+        il_solids_free(&s);
+    }
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &(il_settings){ .between = 65 }, NULL), IL_E_USAGE);
+    assert_int_equal(il_loft(&from, &(il_to){ .solids = &s }, &(il_settings){ .between = -2 }, NULL), IL_E_USAGE);
+}
+
 static void a_file_appears_whole_or_not_at_all(void **state)
 {
     char path[FILES_PATH_MAX], text[32];
@@ -356,7 +372,7 @@ static void rings_apart_are_linked_as_is_wanted(void **state)
     char all[1001] = "";
     assert_int_equal(pieces_of(1, &(il_settings){ .pieces = IL_PIECES_OVERLAP }), 5);
     assert_int_equal(pieces_of(1, &(il_settings){ .unmatched = 1 }), 5);
-    assert_true(pieces_of(1, NULL) < 5);
+    assert_int_equal(pieces_of(1, NULL), 3);
     assert_int_equal(pieces_of(0.25, NULL), 5);
     assert_true(pieces_of(0.25, &(il_settings){ .pieces = IL_PIECES_FEW, .note = collect, .note_self = all }) <= 2);
     assert_non_null(strstr(all, "guesses"));
@@ -444,6 +460,7 @@ int main(void)
         cmocka_unit_test(rings_apart_are_linked_as_is_wanted),
         cmocka_unit_test(gaps_and_single_slices_are_treated_as_is_wanted),
         cmocka_unit_test(a_dome_adds_to_the_volume),
+        cmocka_unit_test(contours_between_are_as_many_as_asked),
         cmocka_unit_test(a_file_appears_whole_or_not_at_all),
         cmocka_unit_test(a_call_that_makes_no_sense_is_refused),
         cmocka_unit_test(numbers_that_are_none_are_refused),

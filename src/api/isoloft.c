@@ -84,6 +84,8 @@ static il_status check_call(work *w, il_error *err)
         return il_fail(err, IL_E_USAGE, 0, "the ground of maps follows no such law");
     if (!(m->detail <= 1))
         return il_fail(err, IL_E_USAGE, 0, "detail of maps must be a part of an interval, 1 at most");
+    if (w->settings.between < -1 || w->settings.between > IL_BETWEEN_MOST)
+        return il_fail(err, IL_E_USAGE, 0, "between is from -1 to %d, not %d", IL_BETWEEN_MOST, w->settings.between);
     if ((unsigned)w->settings.gaps > IL_GAPS_FAIL)
         return il_fail(err, IL_E_USAGE, 0, "gaps are treated in no way number %d", (int)w->settings.gaps);
     if ((unsigned)w->settings.pieces > IL_PIECES_OVERLAP)
@@ -235,8 +237,7 @@ static il_status build_lofter(work *w, bool rounds, il_error *err)
     il_loft_options o = IL_LOFT_OPTIONS_INIT;
     o.threads = threads_of(&w->settings);
     o.cap = w->settings.dome == 2 ? IL_CAP_AUTO : w->settings.dome ? IL_CAP_DOME : IL_CAP_FLAT;
-    int between = w->settings.between;
-    o.between = between == 0 ? IL_BETWEEN_AUTO : between < 0 ? 0 : between < IL_BETWEEN_MOST ? between : IL_BETWEEN_MOST;
+    o.between = w->settings.between == 0 ? IL_BETWEEN_AUTO : w->settings.between < 0 ? 0 : w->settings.between;
     o.round_float = rounds;
     w->tally.sink = (il_mesh_sink){ tally_begin, tally_piece, tally_end, tally_abandon, tally_finish };
     return il_lofter_new(&w->lofter, &o, &w->tally.sink, err);

@@ -1,6 +1,7 @@
 #include "config.h"
 #include "loft/axis.h"
 #include "base/alloc.h"
+#include "loft/surface.h"
 
 #include <math.h>
 #include <string.h>
@@ -139,7 +140,6 @@ static double dome(double d, double d_max, double rise)
 
 il_status il_heights_set(const il_heights *h, il_free_point *p, size_t n, double rise, il_error *err)
 {
-    static const double LEAST = 1.0 / 1024;
     double *d_max = il_calloc(h->n_components, sizeof *d_max);
     double *d = il_alloc(n, 2 * sizeof *d);
     if (!d_max || !d) {
@@ -162,7 +162,7 @@ il_status il_heights_set(const il_heights *h, il_free_point *p, size_t n, double
             z = 1 - dome(upper, d_max[p[i].component], rise);
         else
             z = lower / (lower + upper);
-        p[i].z = fmin(fmax(z, LEAST), 1 - LEAST);
+        p[i].z = fmin(fmax(z, IL_INNER_LEAST), 1 - IL_INNER_LEAST);
     }
     il_free(d_max);
     il_free(d);

@@ -38,7 +38,7 @@ typedef struct il_free_point {
  * for what phi pulls apart or presses together is not near or far in truth.  A component with edges in one plane only is a cap: a
  * dome of height RISE, z = RISE sqrt(1 - (1 - d / d_max)^2) over the lower
  * plane and one minus that under the upper, where d_max is the largest of the
- * component's points.  Never nearer to a plane than 1/1024 of the slab. */
+ * component's points.  Never nearer to a plane than IL_INNER_LEAST of the slab. */
 il_status il_heights_set(const il_heights *h, il_free_point *p, size_t n, double rise, il_error *err);
 
 #endif

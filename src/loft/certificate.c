@@ -207,11 +207,15 @@ il_status il_certify_between(const il_surface *s, const il_section *lower, const
                              const unsigned char *touched, uint32_t **pair, size_t *n_pairs, il_error *err)
 {
     soup m = { NULL, NULL, 0 };
+    uint32_t *own = group ? NULL : il_alloc(s->n_triangles, sizeof *own);
     *pair = NULL;
     *n_pairs = 0;
-    il_status st = make_soup(&m, s, lower, upper) ? IL_OK : il_fail_nomem(err);
+    il_status st = (group || own) && make_soup(&m, s, lower, upper) ? IL_OK : il_fail_nomem(err);
+    for (size_t t = 0; own && t < s->n_triangles; t++)
+        own[t] = (uint32_t)t;
     if (st == IL_OK)
-        st = il_intersections_between(m.xyz, m.n_vertices, m.tri, s->n_triangles, group, touched, pair, n_pairs, err);
+        st = il_intersections_between(m.xyz, m.n_vertices, m.tri, s->n_triangles, group ? group : own, touched, pair, n_pairs, err);
+    il_free(own);
     il_free(m.xyz);
     il_free(m.tri);
     return st;

@@ -42,7 +42,7 @@ il_status il_certify_unfolded(const il_surface *s, const il_section *lower, cons
                               double angle, il_verdict *verdict, il_error *err);
 
 /* Part (c) between groups of triangles: which of them meet (bridge/intersection.h); for pairs with one
- * of those that touched[] marks when it is not null. */
+ * of those that touched[] marks when it is not null.  Without GROUP each triangle is its own. */
 il_status il_certify_between(const il_surface *s, const il_section *lower, const il_section *upper, const uint32_t *group,
                              const unsigned char *touched, uint32_t **pair, size_t *n_pairs, il_error *err);
 

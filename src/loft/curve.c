@@ -53,7 +53,6 @@ static double snap(const curve *c, double z)
 /* The inner points as they stand on the straight surface, then each by its slopes. */
 static void raise_inner(curve *c)
 {
-    static const double LEAST = 1.0 / 1024; /* as in axis.h */
     size_t first = c->section[0]->n_nodes + c->section[1]->n_nodes;
     for (size_t i = 0; i < c->s->n_inner; i++) {
         double *p = c->xyz + 3 * (first + i);
@@ -62,7 +61,7 @@ static void raise_inner(curve *c)
         double t = (p[2] - c->section[0]->z) / c->height, w = c->weight[first + i];
         double r0 = fmax(1 + w * b[2], 0), r1 = fmax(1 + w * b[5], 0);
         t = (t * t + r0 * t * (1 - t)) / (1 + (r0 + r1 - 2) * t * (1 - t));
-        p[2] = c->section[0]->z + c->height * fmin(fmax(t, LEAST), 1 - LEAST);
+        p[2] = c->section[0]->z + c->height * fmin(fmax(t, IL_INNER_LEAST), 1 - IL_INNER_LEAST);
         p[2] = snap(c, c->round_float ? il_number_round_float(p[2]) : p[2]);
     }
 }
@@ -120,10 +119,9 @@ typedef struct meetings {
 
 /* moved[v]: vertices whose parts are not as they were when they last were tested. */
 static void mark_parts(const curve *c, const il_surface *bent, const uint32_t *parent, const unsigned char *moved,
-                       uint32_t *self, unsigned char *touched)
+                       unsigned char *touched)
 {
     for (size_t t = 0; t < bent->n_triangles; t++) {
-        self[t] = (uint32_t)t;
         touched[t] = 0;
         for (size_t k = 0; k < 3; k++)
             touched[t] |= moved[il_surface_row(c->section[0], c->section[1], c->s->tri[3 * (size_t)parent[t] + k])] != 0;
@@ -150,19 +148,17 @@ static bool add_flat(const curve *c, const il_surface *bent, const unsigned char
 static il_status find_meeting(const curve *c, const il_surface *bent, const uint32_t *parent, const unsigned char *moved,
                               meetings *m, il_error *err)
 {
-    uint32_t *self = il_alloc(bent->n_triangles, sizeof *self);
     unsigned char *touched = il_alloc(bent->n_triangles, 1);
-    il_status st = self && touched ? IL_OK : il_fail_nomem(err);
+    il_status st = touched ? IL_OK : il_fail_nomem(err);
     if (st == IL_OK) {
-        mark_parts(c, bent, parent, moved, self, touched);
-        st = il_certify_between(bent, c->section[0], c->section[1], self, touched, &m->pair, &m->n, err);
+        mark_parts(c, bent, parent, moved, touched);
+        st = il_certify_between(bent, c->section[0], c->section[1], NULL, touched, &m->pair, &m->n, err);
         m->cap = m->n;
     }
     if (st == IL_OK && !add_flat(c, bent, touched, m))
         st = il_fail_nomem(err);
     for (size_t i = 0; st == IL_OK && i < 2 * m->n; i++)
         m->pair[i] = parent[m->pair[i]];
-    il_free(self);
     il_free(touched);
     return st;
 }
@@ -190,17 +186,6 @@ static il_status try_bends(curve *c, double factor, il_surface *bent, unsigned c
     return st;
 }
 
-static void take(il_surface *s, il_surface *bent)
-{
-    il_free(s->tri);
-    il_free(s->inner);
-    s->tri = bent->tri, s->n_triangles = bent->n_triangles, s->cap_triangles = bent->cap_triangles;
-    s->inner = bent->inner, s->n_inner = bent->n_inner, s->cap_inner = bent->cap_inner;
-    *bent = (il_surface)IL_SURFACE_INIT;
-}
-
-/* All parts are tested in the first round, and then those that were changed, so that at the end none
- * is left untested. */
 static il_status settle(curve *c, il_surface *s, il_bending *told, il_error *err)
 {
     unsigned char *moved = il_alloc(c->bends.n, 1);
@@ -212,7 +197,7 @@ static il_status settle(curve *c, il_surface *s, il_bending *told, il_error *err
         il_surface bent = IL_SURFACE_INIT;
         st = try_bends(c, round < HALVINGS ? 0.5 : 0, &bent, moved, &sound, &meets, err);
         if (sound)
-            take(s, &bent);
+            il_surface_replace(s, &bent);
         il_surface_free(&bent);
         *told = (il_bending){ sound ? c->n_levels : 0, sound && round > 0, !sound };
     }

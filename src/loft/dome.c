@@ -107,12 +107,11 @@ static double height_at(const lid *l, double tau, double height, double sign)
 
 static void raise(const domes *d, double *inner, double height, bool round_float)
 {
-    static const double LEAST = 1.0 / 1024; /* as in axis.h */
     double z0 = d->section[d->side]->z, up = d->side == IL_LOWER ? 1 : -1;
     for (uint32_t i = 0; i < d->s->n_inner; i++) {
         const lid *l = &d->lid[il_forest_leader(d->up, i)];
         double tau = fmin(fabs(d->s->inner[3 * i + 2] - z0) / l->rise, 1);
-        double z = z0 + up * fmax(height_at(l, tau, height, up), LEAST * height);
+        double z = z0 + up * fmax(height_at(l, tau, height, up), IL_INNER_LEAST * height);
         inner[3 * i + 2] = round_float ? il_number_round_float(z) : z;
     }
 }

@@ -161,11 +161,23 @@ static bool cut_triangle(cutting *c, uint32_t t)
     return true;
 }
 
+static bool copy_pinched(il_surface *out, const il_surface *s)
+{
+    if (s->n_pinched == 0)
+        return true;
+    if (!il_grow(&out->pinched, &out->cap_pinched, s->n_pinched, sizeof *out->pinched))
+        return false;
+    memcpy(out->pinched, s->pinched, s->n_pinched * sizeof *s->pinched);
+    out->n_pinched = s->n_pinched;
+    return true;
+}
+
 il_status il_levels_cut(il_surface *out, uint32_t **parent, const il_levels *l, il_error *err)
 {
     cutting c = { .l = l, .out = out };
     *out = (il_surface)IL_SURFACE_INIT;
-    bool ok = move_inner(&c);
+    out->walled = l->s->walled;
+    bool ok = copy_pinched(out, l->s) && move_inner(&c);
     for (size_t t = 0; ok && t < l->s->n_triangles; t++)
         ok = cut_triangle(&c, (uint32_t)t);
     *parent = c.parent;

@@ -22,7 +22,8 @@ typedef struct il_levels {
 enum { IL_LEVELS_MOST = 64 };
 
 /* OUT: every triangle of S in parts between the levels, all vertices but those of the sections
- * moved; inner points of S keep their numbers.  (*parent)[t]: the triangle of S that triangle t is
+ * moved; inner points of S keep their numbers, what is
+ * pinched its codes.  (*parent)[t]: the triangle of S that triangle t is
  * a part of; the caller's, to il_free.  Both to be freed after failure too.  IL_E_NOMEM. */
 il_status il_levels_cut(il_surface *out, uint32_t **parent, const il_levels *l, il_error *err);
 

@@ -14,6 +14,20 @@ void il_surface_free(il_surface *s)
     *s = (il_surface)IL_SURFACE_INIT;
 }
 
+void il_surface_replace(il_surface *s, il_surface *with)
+{
+    for (int k = 0; k < 2; k++) {
+        il_free(with->insertion[k]);
+        with->insertion[k] = s->insertion[k];
+        with->n_insertions[k] = s->n_insertions[k];
+        with->cap_insertions[k] = s->cap_insertions[k];
+        s->insertion[k] = NULL;
+    }
+    il_surface_free(s);
+    *s = *with;
+    *with = (il_surface)IL_SURFACE_INIT;
+}
+
 double *il_surface_positions(const il_surface *s, const il_section *lower, const il_section *upper)
 {
     const il_section *section[2] = { lower, upper };

@@ -28,6 +28,12 @@ typedef struct il_surface {
 #define IL_SURFACE_INIT { 0 }
 void il_surface_free(il_surface *s);
 
+/* Inner points are never nearer to a section than this part of the slab. */
+#define IL_INNER_LEAST (1.0 / 1024)
+
+/* *S becomes WITH, which is empty then, but keeps its insertions. */
+void il_surface_replace(il_surface *s, il_surface *with);
+
 /* The vertices in one row: the nodes of LOWER, those of UPPER, the inner points. */
 static inline size_t il_surface_row(const il_section *lower, const il_section *upper, uint32_t code)
 {

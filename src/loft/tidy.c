@@ -39,20 +39,15 @@ static il_status change(tidying *d, const il_surface *s, size_t *n_changes, il_e
 /* Fix the corners of touched triangles that meet others; *FOUND: are there any? */
 static il_status fix_meeting(tidying *d, unsigned char *fixed, bool *found, il_error *err)
 {
-    uint32_t *pair = NULL, *self = il_alloc(d->tidy.n_triangles, sizeof *self);
+    uint32_t *pair = NULL;
     size_t n = 0;
-    if (!self)
-        return il_fail_nomem(err);
-    for (size_t t = 0; t < d->tidy.n_triangles; t++)
-        self[t] = (uint32_t)t;
-    il_status st = il_certify_between(&d->tidy, d->section[0], d->section[1], self, d->touched, &pair, &n, err);
+    il_status st = il_certify_between(&d->tidy, d->section[0], d->section[1], NULL, d->touched, &pair, &n, err);
     for (size_t i = 0; i < 2 * n; i++)
         for (size_t k = 0; d->touched[pair[i]] && k < 3; k++) {
             fixed[d->net.at[3 * (size_t)d->triangle[pair[i]] + k]] = 1;
             *found = true;
         }
     il_free(pair);
-    il_free(self);
     return st;
 }
 
@@ -77,19 +72,6 @@ static il_status try_tidy(tidying *d, const il_surface *s, unsigned char *fixed,
     return st;
 }
 
-static void take(il_surface *s, il_surface *tidy)
-{
-    for (int k = 0; k < 2; k++) {
-        tidy->insertion[k] = s->insertion[k];
-        tidy->n_insertions[k] = s->n_insertions[k];
-        tidy->cap_insertions[k] = s->cap_insertions[k];
-        s->insertion[k] = NULL;
-    }
-    il_surface_free(s);
-    *s = *tidy;
-    *tidy = (il_surface)IL_SURFACE_INIT;
-}
-
 static void end_round(tidying *d)
 {
     il_net_free(&d->net);
@@ -111,7 +93,7 @@ il_status il_tidy(il_surface *s, const il_section *lower, const il_section *uppe
     for (int round = 0; again && round <= ROUNDS; round++) {
         st = try_tidy(&d, s, fixed, &sound, &again, err);
         if (sound)
-            take(s, &d.tidy);
+            il_surface_replace(s, &d.tidy);
         end_round(&d);
     }
     il_free(fixed);

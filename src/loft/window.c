@@ -56,7 +56,8 @@ static void finish(const il_window *w, il_window_place *p, const il_window_place
     p->status = il_slab_follow(&p->slab, &p->section, upper, &p->error);
     if (p->status == IL_OK && p->slab.verdict.multiple > 0)
         p->status = split_pinches(p, upper, w->round_float);
-    for (int side = 0; side < 2 && p->status == IL_OK && !p->slab.gap && !is_dome(p, above); side++)
+    bool is_used = w->between != 0 || w->cap == IL_CAP_AUTO;
+    for (int side = 0; side < 2 && is_used && p->status == IL_OK && !p->slab.gap && !is_dome(p, above); side++)
         p->status = il_lean_measure(&p->slab.lean[side], &p->slab.surface, &p->section, upper, side, &p->error);
 }
 

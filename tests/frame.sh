@@ -57,11 +57,11 @@ cone() {
 cone >cone.loft
 square() { printf '{"type":"LineString","coordinates":[[%s,%s],[%s,%s],[%s,%s],[%s,%s],[%s,%s]]}\n' "$1" "$1" "$2" "$1" "$2" "$2" "$1" "$2" "$1" "$1"; }
 square 20.5 90.5 >square.geojson
-exits 0 "lines are cut at an outline" "$ISOLOFT" --unit m --frame square.geojson cone.loft -o square.ply
+exits 0 "lines are cut at an outline" "$ISOLOFT" --unit m --frame square.geojson --no-detail cone.loft -o square.ply
 holds "and lost nowhere" sh -c '! grep -q -e "ends inside" -e "isoline of" err'
-exits 0 "its numbers are those of the map before --to" "$ISOLOFT" -q --unit m --frame square.geojson --to mm cone.loft -o mm.ply
-# but for one or two that rounding decides: a thousand is no power of two
-holds "so the mesh has as many vertices" sh -c "d=\$(($(vertices square.ply) - $(vertices mm.ply))); test \$d -ge -3 && test \$d -le 3"
+# without detail: whether a triangle is just off the law or not may hang on rounding, and a thousand is no power of two
+exits 0 "its numbers are those of the map before --to" "$ISOLOFT" -q --unit m --frame square.geojson --no-detail --to mm cone.loft -o mm.ply
+holds "so the mesh has as many vertices" test "$(vertices square.ply)" = "$(vertices mm.ply)"
 square 20.5 90.5 | sed 's/\[\[.*/[[20.5,20.5],[90.5,90.5],[90.5,20.5],[20.5,90.5],[20.5,20.5]]}/' >bow.geojson
 exits 0 "an outline may cross itself" "$ISOLOFT" --unit m --frame bow.geojson cone.loft -o bow.ply
 holds "which is told" grep -q "the outline crosses or touches itself at 1 place" err

@@ -148,7 +148,7 @@ static void a_tube_that_slants_keeps_its_bore(void **state)
     assert_int_equal(k.facts.components, 1);
     assert_int_equal(k.facts.genus, 1);
     assert_true(settled_by(&k, IL_ATTEMPT_S));
-    assert_true(fabs(k.facts.volume - area) < 1e-3 * area); /* diagonals may move the strips a little */
+    assert_true(fabs(k.facts.volume - area) < 5e-4 * area); /* turned diagonals move the strips a little */
     il_mesh_free(&k.mesh);
 }
 
